@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Drag laws by name: each gives the coefficient gamma of the force gamma (u - v) of the fluid on one grain.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace closures
+{
+
+/// Size of a grain as a drag law sees it; made by sphereSize() or discSize().
+struct GrainSize
+{
+    double diameter;     ///< d [m]
+    double frontalArea;  ///< seen by the flow [m2]: pi d^2/4 of a sphere, d t of a disc of thickness t
+    double volume;       ///< [m3]: pi d^3/6 of a sphere, pi d^2 t/4 of a disc
+};
+
+GrainSize sphereSize(double diameter);
+/// A disc is a cylinder across the flow, of length `thickness` along the empty direction of a 2D case.
+GrainSize discSize(double diameter, double thickness);
+
+/// What the drag on one grain depends on.
+struct DragState
+{
+    GrainSize size;
+    double slip;           ///< |u - v| [m/s], u the interstitial fluid velocity; 0 is allowed
+    double fluidFraction;  ///< alpha in (0, 1]
+    double density;        ///< of the fluid [kg/m3]
+    double viscosity;      ///< of the fluid, dynamic [Pa s]
+};
+
+/// Drag coefficient gamma [kg/s]: the fluid pulls the grain with gamma (u - v), in form A (the pressure force is apart).
+/// Ensures: finite for slip >= 0, and gamma times slip grows with slip
+using DragLaw = double (*)(const DragState&);
+
+/// One row of the table of drag laws: what it is called, and what its shared tests may ask of it.
+struct DragLawRow
+{
+    const char* name;
+    const char* alias;   ///< second name, or empty
+    DragLaw law;
+    double stokesLimit;  ///< gamma/(3 pi mu d) of a lone sphere (alpha = 1) at slip 0
+    double slipJump;     ///< largest relative jump of gamma over slip; 0 if continuous
+    double alphaJump;    ///< largest relative jump of gamma over alpha; 0 if continuous
+    const char* source;  ///< the paper
+};
+
+/// All drag laws, in the order of the table.
+const std::vector<DragLawRow>& dragLaws();
+
+/// Names (without aliases) of all drag laws, for messages.
+std::vector<std::string> dragLawNames();
+
+/// The row of this name or alias.
+/// Errors: std::invalid_argument, listing the names, for a word that is neither
+const DragLawRow& findDragLaw(const std::string& name);
+
+} // namespace closures

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Writing and reading clouds.
+#include "cloudFiles.H"
+#include "inputError.H"
+
+#include "IOField.H"
+#include "IOPosition.H"
+#include "Time.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+void writeNow(const regIOobject& object)
+{
+    const Time& time = object.time();
+    object.writeObject(time.writeFormat(), time.writeVersion(), time.writeCompression(), true);
+}
+
+/// OpenFOAM writes no files for a cloud without particles; readers of a case then miss the whole cloud.
+void writeEmptyCloud(passiveParticleCloud& cloud)
+{
+    writeNow(IOPosition<passiveParticleCloud>(cloud));
+    if (particle::writeLagrangianPositions)
+    {
+        writeNow(IOPosition<passiveParticleCloud>(cloud, cloud::geometryType::POSITIONS));
+    }
+    writeNow(IOField<label>(cloud.fieldIOobject("origId", IOobject::NO_READ), 0));
+}
+
+/// While it lives, OpenFOAM's input errors are thrown.
+class ThrowingInputErrors
+{
+public:
+    ThrowingInputErrors() : before_(FatalIOError.throwExceptions(true)) {}
+    ~ThrowingInputErrors() { FatalIOError.throwExceptions(before_); }
+
+private:
+    bool before_;
+};
+
+} // namespace
+
+
+CloudWriter::CloudWriter
+(
+    const polyMesh& mesh, const word& name, const List<vector>& positions, const labelUList& cells, const labelUList& ids
+)
+:
+    cloud_(mesh, name, IDLList<passiveParticle>())
+{
+    forAll(positions, i)
+    {
+        auto* point = new passiveParticle(mesh, positions[i], cells[i]);
+        point->origProc() = Pstream::myProcNo();
+        point->origId() = ids[i];
+        cloud_.addParticle(point);
+    }
+    writeNow(cloud_);
+    if (positions.empty()) writeEmptyCloud(cloud_);
+}
+
+
+template<class Type>
+void CloudWriter::writeField(const word& field, const UList<Type>& values) const
+{
+    writeNow(IOField<Type>(cloud_.fieldIOobject(field, IOobject::NO_READ), Field<Type>(values)));
+}
+
+
+void CloudWriter::write(const word& field, const UList<scalar>& values) const { writeField(field, values); }
+void CloudWriter::write(const word& field, const UList<vector>& values) const { writeField(field, values); }
+void CloudWriter::write(const word& field, const UList<label>& values) const { writeField(field, values); }
+
+
+CloudReader::CloudReader(const polyMesh& mesh, const word& name, label size)
+:
+    mesh_(mesh),
+    name_(name),
+    size_(size)
+{}
+
+
+template<class Type>
+Field<Type> CloudReader::read(const word& field) const
+{
+    const IOobject file
+    (
+        field, mesh_.time().timeName(), cloud::prefix/name_, mesh_, IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    const InputPlace place{file.objectPath(), -1, -1, field};
+    string reason;
+    Field<Type> values;
+    try
+    {
+        const ThrowingInputErrors throwing;
+        values = IOField<Type>(file);
+    }
+    catch (const Foam::IOerror& error)
+    {
+        reason = error.message();
+    }
+    if (!reason.empty()) fail({place, "cannot be read for the restart: the file is missing, truncated or damaged", reason});
+    if (values.size() != size_)
+    {
+        fail
+        ({
+            place, "does not fit the other files of this time", Foam::name(values.size()) + " values",
+            Foam::name(size_) + " values"
+        });
+    }
+    return values;
+}
+
+
+scalarField CloudReader::scalars(const word& field) const { return read<scalar>(field); }
+vectorField CloudReader::vectors(const word& field) const { return read<vector>(field); }
+labelList CloudReader::labels(const word& field) const { return read<label>(field); }
+
+} // namespace nscdCoupling
+} // namespace Foam

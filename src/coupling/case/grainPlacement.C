@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Placing grains.
+#include "grainPlacement.H"
+#include "patchRoles.H"
+#include "positionFiles.H"
+#include "vectorConversion.H"
+
+#include "Random.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+/// Adds grains of one source; keeps what they have in common.
+class Placement
+{
+public:
+    Placement(const GrainProperties& properties, const GrainSource& source, const GrainSpace& space, nscd::Grains& grains)
+    :
+        materials_(properties.materials),
+        source_(source),
+        space_(space),
+        grains_(grains)
+    {}
+
+    void add(vector position, scalar diameter, int material)
+    {
+        if (space_.emptyAxis >= 0) position[space_.emptyAxis] = space_.midPlane;
+        grains_.add(toVec3(position), 0.5*diameter, materials_.density[material], material, grains_.size());
+        grains_.velocity.back() = toVec3(source_.velocity);
+        grains_.omega.back() = toVec3(source_.omega);
+        grains_.isFixed.back() = source_.isFixed;
+    }
+
+    void addPositions(const fileName& path)
+    {
+        for (const vector& position : readPositionsFile(path, source_.place))
+        {
+            add(position, source_.diameter, source_.material);
+        }
+    }
+
+    void addTable(const fileName& path)
+    {
+        for (const TableRow& row : readGrainTable(path, source_.place))
+        {
+            add(row.position, row.diameter, row.material.empty() ? source_.material : materialOf(row));
+        }
+    }
+
+    void addLattice()
+    {
+        const LatticeSettings& lattice = source_.lattice;
+        Random random(lattice.seed);
+        Vector<label> count = lattice.count;
+        if (space_.emptyAxis >= 0) count[space_.emptyAxis] = 1;
+        for (label k = 0; k < count.z(); ++k)
+        {
+            for (label j = 0; j < count.y(); ++j)
+            {
+                for (label i = 0; i < count.x(); ++i) addSite(Vector<label>(i, j, k), count, random);
+            }
+        }
+    }
+
+private:
+    void addSite(const Vector<label>& site, const Vector<label>& count, Random& random)
+    {
+        const LatticeSettings& lattice = source_.lattice;
+        const scalar largest = lattice.diameter*(1 + lattice.spread);
+        vector position;
+        for (direction k = 0; k < 3; ++k)
+        {
+            const scalar spacing = (lattice.upper[k] - lattice.lower[k])/count[k];
+            const scalar freeGap = max(scalar(0), spacing - largest);
+            const scalar shift = lattice.jitter*freeGap*(random.sample01<scalar>() - 0.5);
+            position[k] = lattice.lower[k] + (site[k] + 0.5)*spacing + shift;
+        }
+        const scalar offset = 2*random.sample01<scalar>() - 1;
+        add(position, lattice.diameter*(1 + lattice.spread*offset), source_.material);
+    }
+
+    int materialOf(const TableRow& row) const
+    {
+        const int material = materials_.table.find(row.material);
+        if (material < 0 || materials_.density[material] <= 0)
+        {
+            fail
+            ({
+                row.place, "names a material that is unknown or has no density", row.material, string::null,
+                materials_.grainMaterials()
+            });
+        }
+        return material;
+    }
+
+    const MaterialProperties& materials_;
+    const GrainSource& source_;
+    const GrainSpace& space_;
+    nscd::Grains& grains_;
+};
+
+
+void checkPlanarMotion(const GrainSource& source, const GrainSpace& space)
+{
+    if (space.emptyAxis < 0) return;
+    vector inPlane = source.omega;
+    inPlane[space.emptyAxis] = 0;
+    if (source.velocity[space.emptyAxis] != 0 || mag(inPlane) > 0)
+    {
+        InputPlace place = source.place;
+        fail({place, "moves grains out of the plane of a 2D case by its velocity or omega"});
+    }
+}
+
+} // namespace
+
+
+GrainSpace grainSpace(const GrainProperties& properties, const polyMesh& mesh)
+{
+    GrainSpace space;
+    space.shape = grainShape(properties, mesh);
+    space.emptyAxis = emptyAxis(mesh);
+    if (space.emptyAxis >= 0) space.midPlane = mesh.bounds().centre()[space.emptyAxis];
+    return space;
+}
+
+
+nscd::Grains placeGrains(const GrainProperties& properties, const GrainSpace& space, const fileName& constantPath)
+{
+    nscd::Grains grains;
+    grains.shape = space.shape;
+    for (const GrainSource& source : properties.sources)
+    {
+        checkPlanarMotion(source, space);
+        Placement placement(properties, source, space, grains);
+        const fileName path = source.file.isAbsolute() ? source.file : constantPath/source.file;
+        if (source.type == "positionsFile") placement.addPositions(path);
+        if (source.type == "table") placement.addTable(path);
+        if (source.type == "lattice") placement.addLattice();
+    }
+    return grains;
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

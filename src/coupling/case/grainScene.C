@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Setting the scene for the grains.
+#include "grainScene.H"
+#include "initialChecks.H"
+#include "materialsReader.H"
+#include "meshWalls.H"
+
+#include "Time.H"
+
+#include <set>
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+void checkPairsThatMeet(const GrainProperties& properties, const nscd::Grains& grains, const nscd::Walls& walls)
+{
+    const std::set<int> ofGrains(grains.material.begin(), grains.material.end());
+    std::set<int> ofWalls;
+    for (const nscd::WallPatch& patch : walls.patches) ofWalls.insert(patch.material);
+    checkPairs
+    (
+        properties.materials,
+        std::vector<int>(ofGrains.begin(), ofGrains.end()), std::vector<int>(ofWalls.begin(), ofWalls.end())
+    );
+}
+
+} // namespace
+
+
+vector readGravity(const Time& time)
+{
+    const uniformDimensionedVectorField g
+    (
+        IOobject("g", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
+    );
+    if (g.dimensions() != dimAcceleration)
+    {
+        OStringStream given;
+        given << g.dimensions();
+        fail({{time.constant()/"g", -1, -1, "dimensions"}, "has wrong dimensions", given.str(), "[0 1 -2 0 0 0 0]"});
+    }
+    return g.value();
+}
+
+
+GrainScene makeGrainScene(const GrainProperties& properties, const polyMesh& mesh, const vector& gravity)
+{
+    checkTimeControls(mesh.time());
+    GrainScene scene;
+    scene.space = grainSpace(properties, mesh);
+    checkGravity(gravity, scene.space);
+    scene.roles = assignPatchRoles(properties, mesh);
+    scene.walls = makeMeshWalls(properties, scene.roles, mesh);
+    scene.box = periodicBox(mesh);
+    return scene;
+}
+
+
+nscd::Grains makeFirstGrains(const GrainProperties& properties, const GrainScene& scene, const polyMesh& mesh)
+{
+    nscd::Grains grains = placeGrains(properties, scene.space, mesh.time().path()/mesh.time().constant());
+    checkPairsThatMeet(properties, grains, scene.walls);
+    checkPeriods(scene.box, grains, mesh);
+    for (nscd::Vec3& x : grains.position) x = scene.box.wrap(x);
+    checkInsideMesh(grains, mesh);
+    checkOverlaps(grains, scene.box, scene.walls, properties.maxInitialOverlap, properties.overlapPlace);
+    return grains;
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Checks before the first step.
+#include "initialChecks.H"
+#include "overlaps.H"
+#include "vectorConversion.H"
+
+#include "StringStream.H"
+#include "Time.H"
+#include "indexedOctree.H"
+#include "treeDataCell.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+template<class... Parts>
+string text(const Parts&... parts)
+{
+    OStringStream os;
+    (os << ... << parts);
+    return os.str();
+}
+
+/// One overlap in words, as "grains 3 and 7 overlap by 0.2".
+string describe(const Overlap& overlap, const nscd::Grains& grains, const nscd::Walls& walls)
+{
+    const label id = label(grains.id[overlap.grain]);
+    const vector position = toFoam(grains.position[overlap.grain]);
+    if (overlap.partner >= 0)
+    {
+        const label other = label(grains.id[overlap.partner]);
+        if (overlap.isCoincident) return text("grains ", id, " and ", other, " have the same center ", position);
+        return text("grains ", id, " and ", other, " overlap by ", overlap.share, " at ", position);
+    }
+    const std::string& wall = walls.patches[walls.regions[-1 - overlap.partner].patch].name;
+    return text("grain ", id, " and the wall ", wall.c_str(), " overlap by ", overlap.share, " at ", position);
+}
+
+/// The worst few overlaps in words.
+string describeWorst(std::vector<Overlap>& overlaps, const nscd::Grains& grains, const nscd::Walls& walls)
+{
+    const std::size_t count = std::min<std::size_t>(5, overlaps.size());
+    std::partial_sort
+    (
+        overlaps.begin(), overlaps.begin() + count, overlaps.end(),
+        [](const Overlap& a, const Overlap& b) { return a.share > b.share; }
+    );
+    string list;
+    for (std::size_t k = 0; k < count; ++k) list += (k ? "; " : "") + describe(overlaps[k], grains, walls);
+    return overlaps.size() > count ? list + "; ..." : list;
+}
+
+} // namespace
+
+
+void checkTimeControls(const Time& time)
+{
+    const dictionary& control = time.controlDict();
+    if (!(time.deltaTValue() > 0))
+    {
+        fail
+        ({
+            placeOf(control, "deltaT"), "is not positive", valueText(control, "deltaT"), "a time step > 0 s"
+        });
+    }
+    if (time.endTime().value() < time.value())
+    {
+        fail
+        ({
+            placeOf(control, "endTime"), "lies before the start time " + time.timeName(),
+            valueText(control, "endTime"), "a later time"
+        });
+    }
+}
+
+
+void checkGravity(const vector& gravity, const GrainSpace& space)
+{
+    if (space.emptyAxis < 0 || gravity[space.emptyAxis] == 0) return;
+    fail
+    ({
+        {"constant/g", -1, -1, "value"}, "has a component along the empty direction of a 2D mesh", text(gravity),
+        text("0 for component ", word(vector::componentNames[space.emptyAxis]))
+    });
+}
+
+
+void checkPeriods(const nscd::PeriodicBox& box, const nscd::Grains& grains, const polyMesh& mesh)
+{
+    if (grains.size() == 0) return;
+    const double diameter = 2*(*std::max_element(grains.radius.begin(), grains.radius.end()));
+    for (int k = 0; k < 3; ++k)
+    {
+        if (!box.isPeriodic(k) || box.length[k] > diameter) continue;
+        fail
+        ({
+            {mesh.boundaryMesh().objectPath(), -1, -1, "cyclic"}, "makes a period shorter than a grain",
+            text(box.length[k], " along ", word(vector::componentNames[k])), text("more than the largest diameter, ", diameter)
+        });
+    }
+}
+
+
+void checkInsideMesh(const nscd::Grains& grains, const polyMesh& mesh)
+{
+    std::size_t outside = 0;
+    string list;
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const vector position = toFoam(grains.position[i]);
+        if (mesh.cellTree().findInside(position) >= 0) continue;
+        if (++outside <= 5) list += text(outside > 1 ? ", " : "", "grain ", label(grains.id[i]), " at ", position);
+    }
+    if (outside == 0) return;
+    fail
+    ({
+        {mesh.time().constant()/"grainProperties", -1, -1, "grains"},
+        text("puts ", label(outside), " grains outside the mesh"), list, text("positions inside the mesh, bounded by ", mesh.bounds())
+    });
+}
+
+
+void checkOverlaps
+(
+    const nscd::Grains& grains, const nscd::PeriodicBox& box, const nscd::Walls& walls,
+    scalar maxOverlap, const InputPlace& place
+)
+{
+    std::vector<Overlap> overlaps = grainOverlaps(grains, box, maxOverlap);
+    const std::vector<Overlap> withWalls = wallOverlaps(grains, walls, maxOverlap);
+    overlaps.insert(overlaps.end(), withWalls.begin(), withWalls.end());
+    if (overlaps.empty()) return;
+    fail
+    ({
+        place, text("is exceeded by ", label(overlaps.size()), " pairs"), describeWorst(overlaps, grains, walls),
+        text("overlaps up to ", maxOverlap, " of the smaller diameter, distinct centers")
+    });
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Boundary patches as grains see them.
+#include "patchRoles.H"
+#include "vectorConversion.H"
+
+#include "SubField.H"
+#include "cyclicPolyPatch.H"
+#include "emptyPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
+#include "symmetryPolyPatch.H"
+#include "wallPolyPatch.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+InputPlace boundaryPlace(const polyMesh& mesh, const polyPatch& patch)
+{
+    return {mesh.boundaryMesh().objectPath(), -1, -1, patch.name()};
+}
+
+bool isWallByType(const polyPatch& patch)
+{
+    return isA<wallPolyPatch>(patch) || isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch);
+}
+
+bool mayTakeRule(const polyPatch& patch)
+{
+    return isWallByType(patch) || !polyPatch::constraintType(patch.type());
+}
+
+void refuseUnknownKinds(const polyMesh& mesh)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        const bool isKnown = mayTakeRule(patch) || isA<emptyPolyPatch>(patch) || patch.type() == cyclicPolyPatch::typeName;
+        if (isKnown) continue;
+        const bool isParallel = patch.type().find("processor") == 0;
+        fail
+        ({
+            boundaryPlace(mesh, patch),
+            isParallel ? "belongs to a decomposed case; grains run on one rank only" : "is of a type that grains do not know",
+            patch.type(), "wall, symmetry, symmetryPlane, patch, cyclic, empty"
+        });
+    }
+}
+
+/// Patches that a rule fits.
+labelList patchesOf(const PatchRule& rule, const polyMesh& mesh)
+{
+    labelList fitting;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (rule.patch.match(patch.name())) fitting.append(patch.index());
+    }
+    if (fitting.empty())
+    {
+        fail
+        ({
+            rule.place, "names no patch of the mesh", rule.patch, string::null, toWords(mesh.boundaryMesh().names())
+        });
+    }
+    return fitting;
+}
+
+void applyRule(const PatchRule& rule, const polyMesh& mesh, PatchRoles& roles)
+{
+    for (const label patchi : patchesOf(rule, mesh))
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+        if (!mayTakeRule(patch))
+        {
+            // An expression such as ".*" may well sweep over patches that need no rule.
+            if (rule.patch.isPattern()) continue;
+            fail({rule.place, "names a patch of type " + patch.type() + ", whose role is fixed by its type"});
+        }
+        roles.role[patchi] = rule.isExit ? PatchRole::exit : PatchRole::wall;
+        roles.material[patchi] = rule.material;
+    }
+}
+
+PatchRole roleByType(const polyPatch& patch, bool hasGrains)
+{
+    if (isA<emptyPolyPatch>(patch)) return PatchRole::empty;
+    if (isA<cyclicPolyPatch>(patch)) return PatchRole::periodic;
+    if (isWallByType(patch)) return PatchRole::wall;
+    return patch.empty() || hasGrains ? PatchRole::unused : PatchRole::exit;
+}
+
+void checkComplete(const GrainProperties& properties, const polyMesh& mesh, const PatchRoles& roles)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        const label patchi = patch.index();
+        if (patch.empty() || properties.sources.empty()) continue;
+        if (roles.role[patchi] == PatchRole::unused)
+        {
+            fail
+            ({
+                properties.patchesPlace, "does not say what the patch " + patch.name() + " is to the grains", string::null,
+                patch.name() + " { type wall; } or " + patch.name() + " { type exit; }"
+            });
+        }
+        if (roles.role[patchi] == PatchRole::wall && roles.material[patchi] < 0)
+        {
+            fail
+            ({
+                properties.patchesPlace, "gives no material to the wall " + patch.name(), string::null,
+                "wallMaterial ...; for all walls, or " + patch.name() + " { type wall; material ...; }",
+                properties.materials.table.names()
+            });
+        }
+    }
+}
+
+/// Axis along which a cyclic patch is shifted from its partner.
+int periodicAxis(const polyMesh& mesh, const cyclicPolyPatch& patch)
+{
+    const InputPlace place = boundaryPlace(mesh, patch);
+    const string allowed = "a translation along x, y or z between two sides of the mesh";
+    if (!patch.parallel()) fail({place, "is a rotational cyclic patch", patch.type(), allowed});
+
+    const vector shift = patch.faceCentres()[0] - patch.neighbPatch().faceCentres()[0];
+    int axis = 0;
+    for (int k = 1; k < 3; ++k)
+    {
+        if (mag(shift[k]) > mag(shift[axis])) axis = k;
+    }
+    const scalar length = mag(shift[axis]);
+    vector rest = shift;
+    rest[axis] = 0;
+    if (mag(rest) > 1e-6*length) fail({place, "is shifted from its partner aslant", Foam::name(mag(rest)), allowed});
+    if (mag(length - mesh.bounds().span()[axis]) > 1e-6*length)
+    {
+        fail({place, "does not bound the mesh on the side of its partner", Foam::name(length), allowed});
+    }
+    return axis;
+}
+
+} // namespace
+
+
+labelList PatchRoles::ofRole(PatchRole wanted) const
+{
+    labelList found;
+    for (std::size_t i = 0; i < role.size(); ++i)
+    {
+        if (role[i] == wanted) found.append(label(i));
+    }
+    return found;
+}
+
+
+PatchRoles assignPatchRoles(const GrainProperties& properties, const polyMesh& mesh)
+{
+    refuseUnknownKinds(mesh);
+    PatchRoles roles;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        roles.role.push_back(roleByType(patch, !properties.sources.empty()));
+        roles.material.push_back(properties.wallMaterial);
+    }
+    // Exact names win over expressions, whatever their order, as everywhere in OpenFOAM.
+    for (const bool isPattern : {true, false})
+    {
+        for (const PatchRule& rule : properties.patchRules)
+        {
+            if (rule.patch.isPattern() == isPattern) applyRule(rule, mesh, roles);
+        }
+    }
+    checkComplete(properties, mesh, roles);
+    return roles;
+}
+
+
+int emptyAxis(const polyMesh& mesh)
+{
+    if (mesh.nGeometricD() == 3) return -1;
+    if (mesh.nGeometricD() < 2)
+    {
+        fail({{mesh.boundaryMesh().objectPath(), -1, -1, "boundary"}, "leaves the mesh fewer than two dimensions"});
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+        if (mesh.geometricD()[k] < 0) return k;
+    }
+    return -1;
+}
+
+
+nscd::GrainShape grainShape(const GrainProperties& properties, const polyMesh& mesh)
+{
+    const int axis = emptyAxis(mesh);
+    const std::string fitting = axis < 0 ? "sphere" : "disc";
+    if (!properties.shape.empty() && properties.shape != fitting)
+    {
+        const string why = axis < 0 ? "is for 2D meshes, and this mesh is 3D" : "is for 3D meshes, and this mesh is 2D";
+        fail({properties.shapePlace, why, properties.shape, fitting});
+    }
+    nscd::GrainShape shape;
+    shape.dimensions = axis < 0 ? 3 : 2;
+    if (axis >= 0) shape.thickness = mesh.bounds().span()[axis];
+    return shape;
+}
+
+
+nscd::PeriodicBox periodicBox(const polyMesh& mesh)
+{
+    nscd::PeriodicBox box;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        const auto* cyclic = isA<cyclicPolyPatch>(patch);
+        if (!cyclic || patch.empty()) continue;
+        const int axis = periodicAxis(mesh, *cyclic);
+        box.lower[axis] = mesh.bounds().min()[axis];
+        box.length[axis] = mesh.bounds().span()[axis];
+    }
+    return box;
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

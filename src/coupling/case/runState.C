@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Writing and reading uniform/grainState.
+#include "runState.H"
+#include "dictionaryCheck.H"
+
+#include "IOdictionary.H"
+#include "Time.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+/// While it lives, numbers are written with all their digits.
+class FullPrecision
+{
+public:
+    FullPrecision() : before_(IOstream::defaultPrecision(17)) {}
+    ~FullPrecision() { IOstream::defaultPrecision(before_); }
+
+private:
+    unsigned before_;
+};
+
+IOobject stateFile(const polyMesh& mesh, IOobject::readOption read)
+{
+    return IOobject("grainState", mesh.time().timeName(), "uniform", mesh, read, IOobject::NO_WRITE, false);
+}
+
+} // namespace
+
+
+void writeRunState(const polyMesh& mesh, const RunState& state)
+{
+    const FullPrecision precision;
+    IOdictionary dict(stateFile(mesh, IOobject::NO_READ));
+    dict.add("grains", state.nGrains);
+    dict.add("contacts", state.nContacts);
+    dict.add("materials", state.materials);
+    dictionary numbers;
+    for (const auto& number : state.numbers) numbers.add(number.first, number.second);
+    dict.add("numbers", numbers);
+    dict.writeObject(IOstream::ASCII, IOstream::currentVersion, IOstream::UNCOMPRESSED, true);
+}
+
+
+bool hasRunState(const polyMesh& mesh)
+{
+    return stateFile(mesh, IOobject::READ_IF_PRESENT).typeHeaderOk<IOdictionary>(true);
+}
+
+
+RunState readRunState(const polyMesh& mesh)
+{
+    const IOobject file = stateFile(mesh, IOobject::MUST_READ);
+    if (!hasRunState(mesh)) fail({{file.objectPath(), -1, -1, "grainState"}, "is missing or has no header"});
+    const IOdictionary dict(file);
+    const CheckedDict given(dict);
+    RunState state;
+    state.place = placeOf(dict);
+    state.nGrains = given.integer("grains", 0);
+    state.nContacts = given.integer("contacts", 0);
+    given.found("materials");
+    state.materials = dict.get<wordList>("materials");
+    const dictionary& numbers = given.sub("numbers");
+    const CheckedDict named(numbers);
+    for (const entry& number : numbers)
+    {
+        state.numbers[number.keyword()] = named.number(number.keyword(), anyNumber());
+    }
+    given.finish();
+    return state;
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+// The fluid's part of a time step, told in the order it happens.
+
+#include "fluid/fluidSolver.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+UniformDimensionedField<vector> readGravity(const fvMesh& mesh)
+{
+    return UniformDimensionedField<vector>
+    (
+        IOobject("g", mesh.time().constant(), mesh, IOobject::READ_IF_PRESENT, IOobject::NO_WRITE),
+        dimensionedVector("g", dimAcceleration, Zero)
+    );
+}
+
+void refuseConsistent(const dictionary& pimple)
+{
+    if (pimple.getOrDefault("consistent", false))
+    {
+        FatalIOErrorInFunction(pimple)
+            << "PIMPLE `consistent yes` (SIMPLEC) does not go with drag on the faces; remove it" << exit(FatalIOError);
+    }
+}
+
+} // End anonymous namespace
+
+
+FluidSolver::FluidSolver(fvMesh& mesh, GrainSources& sources, const dictionary& meanFlowDict)
+:
+    mesh_(mesh),
+    sources_(sources),
+    pimple_(mesh),
+    fields_(mesh, sources.alpha),
+    turbulence_(sources.alpha, fields_.U, fields_.phi),
+    g_(readGravity(mesh)),
+    p_
+    (
+        IOobject("p", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::AUTO_WRITE),
+        fields_.pRgh + rho()*(g_ & mesh.C())
+    ),
+    options_(fv::options::New(mesh)),
+    pressure_(mesh, pimple_, p_, fields_.pRgh, meanFlowDict)
+{
+    refuseConsistent(pimple_.dict());
+}
+
+
+void FluidSolver::solve()
+{
+    while (nextOuterLoop()) solveOuterLoop();
+}
+
+
+void FluidSolver::solveOuterLoop()
+{
+    if (sources_.hasGrains || pressure_.meanFlow().isHeld()) solveWithGrains();
+    else solvePlain();
+
+    if (pimple_.turbCorr()) turbulence_.correct();
+    updateAbsolutePressure();
+}
+
+
+void FluidSolver::solveWithGrains()
+{
+    const List<Border> borders(bordersOf(fields_));
+    const GrainFaceTerms terms(sources_, fields_, borders);
+
+    const tmp<surfaceScalarField> convecting
+    (
+        pimple_.firstIter() ? extrapolatedFlux(fields_.phi) : tmp<surfaceScalarField>(fields_.phi)
+    );
+    tmp<fvVectorMatrix> momentum(averagedMomentum(fields_, sources_, turbulence_, convecting(), options_));
+    momentum.ref().relax();
+    options_.constrain(momentum.ref());
+
+    if (pimple_.momentumPredictor() && fields_.hasBalancedGradient)
+    {
+        predictVelocity(fields_, sources_, terms, momentum(), rho());
+        options_.correct(fields_.U);
+    }
+
+    while (pimple_.correct())
+    {
+        pressure_.correctWithGrains(fields_, sources_.alpha, terms, borders, momentum(), rho());
+        options_.correct(fields_.U);
+    }
+}
+
+
+void FluidSolver::solvePlain()
+{
+    tmp<fvVectorMatrix> momentum(plainMomentum(fields_, turbulence_, options_));
+    momentum.ref().relax();
+    options_.constrain(momentum.ref());
+
+    if (pimple_.momentumPredictor())
+    {
+        predictPlainVelocity(fields_, momentum(), rho());
+        options_.correct(fields_.U);
+    }
+
+    while (pimple_.correct())
+    {
+        pressure_.correctPlain(fields_, momentum(), rho());
+        options_.correct(fields_.U);
+    }
+}
+
+
+// The reference height is the origin, as OpenFOAM has it without constant/hRef.
+void FluidSolver::updateAbsolutePressure()
+{
+    p_ = fields_.pRgh + rho()*(g_ & mesh_.C());
+}
+
+
+CourantNumber FluidSolver::courantNumber() const
+{
+    return nscdCoupling::courantNumber(fields_.phi, sources_.alpha);
+}
+
+
+FluidMomentum FluidSolver::momentum() const
+{
+    return fluidMomentum(fields_, sources_.alpha, turbulence_);
+}
+
+} // End namespace nscdCoupling
+} // End namespace Foam

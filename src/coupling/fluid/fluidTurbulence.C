@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+// The stress of the averaged fluid and the update of its viscosity.
+
+#include "fluid/fluidTurbulence.H"
+
+#include "PhaseIncompressibleTurbulenceModel.H"
+#include "fvcDiv.H"
+#include "fvcGrad.H"
+#include "fvcLaplacian.H"
+#include "fvcSnGrad.H"
+#include "fvmLaplacian.H"
+#include "laminarModel.H"
+#include "linear.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+FluidTurbulence::FluidTurbulence
+(
+    const volScalarField& alpha, const volVectorField& U, const surfaceScalarField& phi
+)
+:
+    alpha_(alpha),
+    phi_(phi),
+    phiInterstitial_("phiInterstitial", phi/linearInterpolate(alpha)),
+    transport_(U, phi),
+    rho_("rho", dimDensity, transport_),
+    model_(Model::New(alpha, U, phi, phiInterstitial_, transport_)),
+    isLaminar_(IOdictionary(model_()).get<word>("simulationType") == "laminar")
+{
+    model_->validate();
+}
+
+
+FluidTurbulence::~FluidTurbulence() = default;
+
+
+// The schemes are named as in pimpleFoam, so that its fvSchemes serve here too.
+tmp<fvVectorMatrix> FluidTurbulence::minusDivTau(volVectorField& U) const
+{
+    const volScalarField nuEff("nuEff", model_->nuEff());
+    return
+    (
+      - fvc::div(nuEff*dev2(T(fvc::grad(U))), "div((nuEff*dev2(T(grad(U)))))")
+      - fvm::laplacian(nuEff, U, "laplacian(nuEff,U)")
+    );
+}
+
+
+tmp<volVectorField> FluidTurbulence::divTau(const volVectorField& U) const
+{
+    const volScalarField nuEff("nuEff", model_->nuEff());
+    return rho_*
+    (
+        fvc::laplacian(nuEff, U, "laplacian(nuEff,U)")
+      + fvc::div(nuEff*dev2(T(fvc::grad(U))), "div((nuEff*dev2(T(grad(U)))))")
+    );
+}
+
+
+tmp<surfaceVectorField> FluidTurbulence::stressFlux(const volVectorField& U) const
+{
+    const volScalarField nuEff("nuEff", model_->nuEff());
+    return linearInterpolate(nuEff)*U.mesh().magSf()*fvc::snGrad(U)
+      + (U.mesh().Sf() & linearInterpolate(nuEff*dev2(T(fvc::grad(U)))));
+}
+
+
+void FluidTurbulence::correct()
+{
+    transport_.correct();
+    if (!isLaminar_) updateInterstitialFlux();
+    model_->correct();
+}
+
+
+void FluidTurbulence::updateInterstitialFlux()
+{
+    phiInterstitial_ = phi_/linearInterpolate(alpha_);
+}
+
+} // End namespace nscdCoupling
+} // End namespace Foam

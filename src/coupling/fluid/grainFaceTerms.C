@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+// Interpolation of the grains' terms, and what of them a patch lets through.
+
+#include "fluid/grainFaceTerms.H"
+
+#include "fixedFluxPressureFvPatchScalarField.H"
+#include "linear.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+Border borderOf(const fvPatchScalarField& pRgh)
+{
+    if (pRgh.coupled()) return Border::coupled;
+    if (isA<fixedFluxPressureFvPatchScalarField>(pRgh)) return Border::balanced;
+    return pRgh.fixesValue() ? Border::open : Border::given;
+}
+
+template<class Type>
+void clear(GeometricField<Type, fvsPatchField, surfaceMesh>& faces, const List<Border>& borders, const Border which)
+{
+    forAll(borders, patchi)
+    {
+        if (borders[patchi] == which) faces.boundaryFieldRef()[patchi] = Zero;
+    }
+}
+
+// No force acts beyond a patch whose flux is given.
+tmp<surfaceScalarField> forceOnFaces(tmp<surfaceScalarField> faces, const List<Border>& borders)
+{
+    clear(faces.ref(), borders, Border::given);
+    return faces;
+}
+
+// Grains cross only coupled and open patches.
+tmp<surfaceScalarField> motionOnFaces(tmp<surfaceScalarField> faces, const List<Border>& borders)
+{
+    clear(faces.ref(), borders, Border::given);
+    clear(faces.ref(), borders, Border::balanced);
+    return faces;
+}
+
+tmp<surfaceScalarField> fluxOf(const volVectorField& cells)
+{
+    return cells.mesh().Sf() & linearInterpolate(cells);
+}
+
+tmp<volVectorField> explicitForce(const GrainSources& sources, const FluidFields& fields)
+{
+    tmp<volVectorField> force(sources.acceleration/sources.alpha);
+    if (fields.bodyAcceleration.valid()) force.ref() += fields.bodyAcceleration();
+    return force;
+}
+
+} // End anonymous namespace
+
+
+List<Border> bordersOf(const FluidFields& fields)
+{
+    const auto& patches = fields.pRgh.boundaryField();
+    List<Border> borders(patches.size());
+    forAll(patches, patchi) borders[patchi] = borderOf(patches[patchi]);
+    return borders;
+}
+
+
+ResponseTerms::ResponseTerms(const GrainSources& sources, const List<Border>& borders)
+:
+    chi("chi", 1 + sources.pressure/sources.alpha),
+    chiFace("chiFace", linearInterpolate(chi)),
+    slip("slipFace", motionOnFaces(linearInterpolate(sources.slip/sources.alpha), borders)),
+    carried("carriedFlux", motionOnFaces(fluxOf(sources.carried), borders)),
+    mobility("mobilityFace", motionOnFaces(linearInterpolate(sources.mobility), borders))
+{}
+
+
+GrainFaceTerms::GrainFaceTerms
+(
+    const GrainSources& sources, const FluidFields& fields, const List<Border>& borders
+)
+:
+    resistance("resistance", sources.drag/sqr(sources.alpha)),
+    resistanceFace("resistanceFace", forceOnFaces(linearInterpolate(resistance), borders)),
+    force("explicitForce", explicitForce(sources, fields)),
+    forceFlux("forceFlux", forceOnFaces(fluxOf(force), borders)),
+    response(sources.hasResponse ? new ResponseTerms(sources, borders) : nullptr)
+{}
+
+} // End namespace nscdCoupling
+} // End namespace Foam

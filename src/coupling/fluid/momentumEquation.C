@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+// Assembly of the momentum equation and the velocity predictor.
+
+#include "fluid/momentumEquation.H"
+
+#include "fvcDdt.H"
+#include "fvcDiv.H"
+#include "fvcGrad.H"
+#include "fvmDdt.H"
+#include "fvmDiv.H"
+#include "fvmSup.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+tmp<surfaceScalarField> extrapolatedFlux(const surfaceScalarField& phi)
+{
+    const surfaceScalarField& last = phi.oldTime();
+    const Time& time = phi.mesh().time();
+    return last + time.deltaTValue()/time.deltaT0Value()*(last - last.oldTime());
+}
+
+
+tmp<fvVectorMatrix> averagedMomentum
+(
+    FluidFields& fields,
+    const GrainSources& sources,
+    const FluidTurbulence& turbulence,
+    const surfaceScalarField& convecting,
+    fv::options& options
+)
+{
+    volVectorField& U = fields.U;
+    const volScalarField& alpha = sources.alpha;
+
+    tmp<volScalarField> storage(fvc::div(convecting));
+    if (!sources.isStatic) storage.ref() += fvc::ddt(alpha);
+
+    tmp<fvVectorMatrix> perFluidVolume(turbulence.minusDivTau(U) - options(U));
+    perFluidVolume.ref() *= alpha();
+
+    return fvm::ddt(alpha, U) + fvm::div(convecting, U, "div(phi,U)") - fvm::Sp(storage, U) + perFluidVolume;
+}
+
+
+tmp<fvVectorMatrix> plainMomentum(FluidFields& fields, const FluidTurbulence& turbulence, fv::options& options)
+{
+    volVectorField& U = fields.U;
+    tmp<fvVectorMatrix> momentum
+    (
+        fvm::ddt(U) + fvm::div(fields.phi, U) + turbulence.minusDivTau(U) == options(U)
+    );
+    if (fields.bodyAcceleration.valid()) momentum.ref() -= fields.bodyAcceleration();
+    return momentum;
+}
+
+
+void predictVelocity
+(
+    FluidFields& fields,
+    const GrainSources& sources,
+    const GrainFaceTerms& terms,
+    const fvVectorMatrix& momentum,
+    const dimensionedScalar& rho
+)
+{
+    const volScalarField& alpha = sources.alpha;
+    const volVectorField pressureForce("pressureForce", fields.balancedGradient/rho);
+
+    fvVectorMatrix predictor
+    (
+        terms.response.valid()
+      ? momentum == alpha*(terms.force - terms.response->chi*pressureForce)
+      : momentum == alpha*(terms.force - pressureForce)
+    );
+    predictor.diag() += sources.drag.primitiveField()*alpha.mesh().V();
+    predictor.solve();
+}
+
+
+void predictPlainVelocity(FluidFields& fields, const fvVectorMatrix& momentum, const dimensionedScalar& rho)
+{
+    solve(momentum == -fvc::grad(fields.pRgh)/rho);
+}
+
+} // End namespace nscdCoupling
+} // End namespace Foam

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+// Pressure correction of a fluid without grains: OpenFOAM's own PISO step, with p_rgh in Pa.
+
+#include "fluid/pressureCorrection.H"
+
+#include "adjustPhi.H"
+#include "constrainHbyA.H"
+#include "constrainPressure.H"
+#include "fvcDdt.H"
+#include "fvcDiv.H"
+#include "fvcFlux.H"
+#include "fvcGrad.H"
+#include "fvmLaplacian.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+// What pimpleFoam has and the grains' equations leave out: the ddtCorr flux (it is unstable at jumps of alpha), and the
+// Gauss gradient in the cells.
+void PressureCorrection::correctPlain
+(
+    FluidFields& fields, const fvVectorMatrix& momentum, const dimensionedScalar& rho
+)
+{
+    volVectorField& U = fields.U;
+    volScalarField& pRgh = fields.pRgh;
+
+    const volScalarField rAU("rAU", 1/momentum.A());
+    const volVectorField HbyA(constrainHbyA(rAU*momentum.H(), U, pRgh));
+    surfaceScalarField freeFlux
+    (
+        "phiHbyA", fvc::flux(HbyA) + fvc::interpolate(rAU)*fvc::ddtCorr(U, fields.phi)
+    );
+    if (pRgh.needReference()) adjustPhi(freeFlux, U, pRgh);
+
+    const surfaceScalarField mobility(fvc::interpolate(rAU));
+    constrainPressure(pRgh, U, freeFlux, (mobility/rho)());
+    fields.phi = freeFlux - mobility*solvePressure(pRgh, freeFlux, mobility, rho);
+    pRgh.relax();
+
+    fields.balancedGradient = fvc::grad(pRgh);
+    fields.hasBalancedGradient = true;
+    U = HbyA - rAU/rho*fields.balancedGradient;
+    U.correctBoundaryConditions();
+}
+
+} // End namespace nscdCoupling
+} // End namespace Foam

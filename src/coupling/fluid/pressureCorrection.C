@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+// Pressure correction for a fluid between grains: everything is balanced on the faces.
+
+#include "fluid/pressureCorrection.H"
+
+#include "adjustPhi.H"
+#include "constrainHbyA.H"
+#include "constrainPressure.H"
+#include "findRefCell.H"
+#include "fvcDiv.H"
+#include "fvmLaplacian.H"
+#include "linear.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+tmp<surfaceScalarField> fluxOf(const volVectorField& cells)
+{
+    return cells.mesh().Sf() & linearInterpolate(cells);
+}
+
+// What the mixture of fluid and grains does when the fluid alone obeys the given law.
+// Equation: mixture flux = (1 + c) phi + A - Y grad p
+FluxLaw mixtureLaw(const FluxLaw& fluid, const ResponseTerms& grains)
+{
+    return FluxLaw
+    {
+        (1 + grains.slip)*fluid.free + grains.carried,
+        (1 + grains.slip)*fluid.mobility + grains.mobility
+    };
+}
+
+} // End anonymous namespace
+
+
+PressureCorrection::PressureCorrection
+(
+    fvMesh& mesh, pimpleControl& pimple,
+    const volScalarField& p, const volScalarField& pRgh, const dictionary& meanFlowDict
+)
+:
+    mesh_(mesh),
+    pimple_(pimple),
+    reconstruct_(mesh),
+    meanFlow_(mesh, meanFlowDict)
+{
+    setRefCell(p, pRgh, pimple.dict(), refCell_, refValue_);
+}
+
+
+// Boundary values of HbyA are those of U where U is prescribed; there the law gives back alpha U.Sf.
+FluxLaw PressureCorrection::fluidLaw
+(
+    FluidFields& fields,
+    const volScalarField& alpha,
+    const volScalarField& rAU,
+    const volVectorField& HbyA,
+    const GrainFaceTerms& terms
+) const
+{
+    surfaceScalarField flux(fluxOf(alpha*HbyA));
+    if (fields.pRgh.needReference()) adjustPhi(flux, fields.U, fields.pRgh);
+
+    const surfaceScalarField ra(linearInterpolate(sqr(alpha)*rAU));
+    const surfaceScalarField damping(1/(1 + ra*terms.resistanceFace));
+    FluxLaw law{(flux + ra*terms.forceFlux)*damping, ra*damping};
+    if (terms.response.valid()) law.mobility *= terms.response->chiFace;
+    return law;
+}
+
+
+tmp<surfaceScalarField> PressureCorrection::solvePressure
+(
+    volScalarField& pRgh, const surfaceScalarField& freeFlux, const surfaceScalarField& mobility,
+    const dimensionedScalar& rho
+)
+{
+    const surfaceScalarField coefficient("mobilityPerDensity", mobility/rho);
+    tmp<surfaceScalarField> gradientFlux;
+    while (pimple_.correctNonOrthogonal())
+    {
+        fvScalarMatrix equation
+        (
+            fvm::laplacian(coefficient, pRgh, "laplacian(rAU,p_rgh)") == fvc::div(freeFlux)
+        );
+        equation.setReference(refCell_, refValue_);
+        equation.solve(mesh_.solver(pRgh.select(pimple_.finalInnerIter())));
+        if (pimple_.finalNonOrthogonalIter()) gradientFlux = equation.flux()/mobility;
+    }
+    return gradientFlux;
+}
+
+
+tmp<surfaceScalarField> PressureCorrection::balanceMixture
+(
+    FluidFields& fields, const FluxLaw& mixture, const dimensionedScalar& rho
+)
+{
+    if (!meanFlow_.isHeld())
+    {
+        tmp<surfaceScalarField> gradientFlux(solvePressure(fields.pRgh, mixture.free, mixture.mobility, rho));
+        mixtureFlux_.reset(new surfaceScalarField(mixture.free - mixture.mobility*gradientFlux()));
+        return gradientFlux;
+    }
+
+    const surfaceScalarField uniform(meanFlow_.gradientFlux(rho));
+    tmp<surfaceScalarField> gradientFlux
+    (
+        uniform + solvePressure(fields.pRgh, mixture.free - mixture.mobility*uniform, mixture.mobility, rho)
+    );
+    mixtureFlux_.reset(new surfaceScalarField(mixture.free - mixture.mobility*gradientFlux()));
+    meanFlow_.hold(mixtureFlux_(), gradientFlux.ref(), fields.pRgh, mixture.mobility, rho);
+    return gradientFlux;
+}
+
+
+void PressureCorrection::correctCells
+(
+    FluidFields& fields,
+    const volScalarField& alpha,
+    const volScalarField& rAU,
+    const volVectorField& HbyA,
+    const GrainFaceTerms& terms,
+    const surfaceScalarField& gradientFlux,
+    const dimensionedScalar& rho
+) const
+{
+    surfaceScalarField imbalanceFlux(terms.forceFlux - terms.resistanceFace*fields.phi);
+    if (terms.response.valid()) imbalanceFlux -= terms.response->chiFace*gradientFlux;
+    else imbalanceFlux -= gradientFlux;
+
+    const volScalarField& r = terms.resistance;
+    const volVectorField imbalance(reconstruct_(imbalanceFlux) + r*reconstruct_(fields.phi));
+    fields.U = (HbyA + alpha*rAU*imbalance)/(1 + sqr(alpha)*rAU*r);
+    fields.U.correctBoundaryConditions();
+
+    fields.balancedGradient = rho*(terms.force - imbalance);
+    if (terms.response.valid()) fields.balancedGradient /= terms.response->chi;
+    fields.balancedGradient.correctBoundaryConditions();
+    fields.hasBalancedGradient = true;
+}
+
+
+void PressureCorrection::correctWithGrains
+(
+    FluidFields& fields,
+    const volScalarField& alpha,
+    const GrainFaceTerms& terms,
+    const List<Border>& borders,
+    const fvVectorMatrix& momentum,
+    const dimensionedScalar& rho
+)
+{
+    const volScalarField rAU("rAU", 1/momentum.A());
+    const volVectorField HbyA(constrainHbyA(rAU*momentum.H(), fields.U, fields.pRgh));
+
+    const FluxLaw fluid(fluidLaw(fields, alpha, rAU, HbyA, terms));
+    constrainPressure(fields.pRgh, alpha, fields.U, fluid.free, (fluid.mobility/rho)());
+
+    const surfaceScalarField gradientFlux
+    (
+        balanceMixture(fields, terms.response.valid() ? mixtureLaw(fluid, terms.response()) : fluid, rho)
+    );
+    fields.phi = fluid.free - fluid.mobility*gradientFlux;
+    fields.pRgh.relax();
+
+    correctCells(fields, alpha, rAU, HbyA, terms, gradientFlux, rho);
+}
+
+
+ContinuityError PressureCorrection::continuityError(const surfaceScalarField& phi) const
+{
+    const volScalarField divergence(fvc::div(mixtureFlux_.valid() ? mixtureFlux_() : phi));
+    const scalar volume = gSum(mesh_.V());
+    ContinuityError error;
+    error.largest = gMax(mag(divergence.primitiveField())());
+    error.meanAbs = gSum((mesh_.V()*mag(divergence.primitiveField()))())/volume;
+    error.mean = gSum((mesh_.V()*divergence.primitiveField())())/volume;
+    return error;
+}
+
+} // End namespace nscdCoupling
+} // End namespace Foam

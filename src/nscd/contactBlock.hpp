@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What the contact sweep works on: bodies of one cache line, and contacts in blocks of eight lanes.
+// Included by translation units built for wider instruction sets: no functions, no standard library.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace nscd
+{
+
+/// Velocity of one body and its two mobilities. The spin variable is s = R omega, so that an impulse p along a contact with
+/// normal n changes v by p/m and s by -(1/(kappa m)) n x p whatever the radius. Walls and fixed grains have mobility zero.
+struct alignas(64) Body
+{
+    double v[3];      ///< [m/s]
+    double invMass;   ///< 1/(m + gamma dt) [1/kg]
+    double s[3];      ///< [m/s]
+    double invSpin;   ///< 1/(kappa m) [1/kg]
+};
+
+constexpr int blockLanes = 8;
+
+/// Eight contacts with no movable body in common, so that they can be solved at once and the sweep is still Gauss-Seidel.
+/// Unused lanes join the static body to itself and carry zeros.
+struct alignas(64) ContactBlock
+{
+    double n[3][blockLanes];       ///< unit normal from B to A
+    double bias[blockLanes];       ///< velocity added to u_n in the contact law [m/s]
+    double r[3][blockLanes];       ///< impulse on A, world frame [N s]
+    double invWn[blockLanes];      ///< 1/W_nn [kg]
+    double invWt[blockLanes];      ///< 1/W_tt [kg]
+    double friction[blockLanes];
+    std::int32_t a[blockLanes];
+    std::int32_t b[blockLanes];
+};
+
+/// Velocity defects of one pass over the contacts, e = W (p - Proj(p - u/W)) [m/s].
+struct DefectSums
+{
+    double sumSquares;   ///< over active contacts
+    double maxSquare;
+    double active;       ///< number of contacts that carry an impulse before or after
+};
+
+/// One pass over all blocks. A sweep updates impulses and velocities in place, an evaluation changes nothing.
+using SweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, std::size_t nBlocks);
+
+struct SweepKernels
+{
+    const char* name;
+    int lanes;
+    SweepFunction sweep;
+    SweepFunction sweepFrictionless;
+    SweepFunction evaluate;
+    SweepFunction evaluateFrictionless;
+};
+
+} // namespace nscd

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Settings of contact search and contact solve, with defaults for flowing beds.
+#pragma once
+
+#include <string>
+
+namespace nscd
+{
+
+/// Lengths in units of the mean grain diameter d where they say so.
+struct ContactSettings
+{
+    /// Solver by name: see contactSolvers().
+    std::string solver = "NLGS";
+    /// rms velocity defect allowed, in units of the step's speed scale.
+    double tolerance = 1e-2;
+    /// Largest velocity defect times dt allowed, in d.
+    double displacementTolerance = 3e-4;
+    /// Sweeps after which a solve gives up, counted and reported.
+    int maxSweeps = 1000;
+    /// Gaps within +-deadBand d count as closed, so that the set of active contacts keeps still.
+    double deadBand = 1e-4;
+    /// Overlap in d above which grains are pushed apart without gaining velocity.
+    double overlapTolerance = 5e-4;
+    /// Distance in d beyond contact within which pairs are listed.
+    double skin = 0.06;
+    /// Anderson acceleration of slow solves.
+    bool accelerate = true;
+    /// Vector path of the sweep: auto, portable, AVX2, AVX512.
+    std::string vectorPath = "auto";
+};
+
+} // namespace nscd

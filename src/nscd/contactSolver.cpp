@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What all contact solvers share: stop rule, residual, table.
+#include "contactSolver.hpp"
+
+#include "invalidValue.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+bool StopRule::isMet(const DefectSums& sums) const
+{
+    return sums.sumSquares <= rmsLimit*rmsLimit*std::max(1.0, sums.active) && sums.maxSquare <= maxLimit*maxLimit;
+}
+
+double rms(const DefectSums& sums) { return std::sqrt(sums.sumSquares/std::max(1.0, sums.active)); }
+
+StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& settings, const DefectSums& first)
+{
+    const double lengthRate = problem.diameter/problem.deltaT;
+    const double speed = std::max({problem.speedScale, 1e-3*rms(first), 1e-3*settings.deadBand*lengthRate});
+    return {settings.tolerance*speed, settings.displacementTolerance*lengthRate, speed};
+}
+
+DefectSums residual(const ContactProblem& problem)
+{
+    const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
+    return evaluate(problem.bodies.data(), problem.blocks.data(), problem.blocks.size());
+}
+
+void applyImpulse(Body& a, Body& b, const double n[3], const double delta[3])
+{
+    const double moment[3] =
+    {
+        n[1]*delta[2] - n[2]*delta[1],
+        n[2]*delta[0] - n[0]*delta[2],
+        n[0]*delta[1] - n[1]*delta[0]
+    };
+    for (int k = 0; k < 3; ++k)
+    {
+        a.v[k] += a.invMass*delta[k];
+        b.v[k] -= b.invMass*delta[k];
+        a.s[k] -= a.invSpin*moment[k];
+        b.s[k] -= b.invSpin*moment[k];
+    }
+}
+
+void reportResidual(SolveReport& report, const StopRule& rule, const DefectSums& sums)
+{
+    report.residualRms = rms(sums);
+    report.residualMax = std::sqrt(sums.maxSquare);
+    report.speedScale = rule.speedScale;
+    report.contacts = static_cast<std::size_t>(sums.active);
+    report.converged = rule.isMet(sums);
+}
+
+const std::vector<ContactSolverRow>& contactSolvers()
+{
+    static const std::vector<ContactSolverRow> rows =
+    {
+        {"NLGS", solveNlgs, "nonlinear Gauss-Seidel sweeps over all contacts, accelerated when slow"},
+        {"queue", solveQueue, "the thesis' queue: only contacts whose neighborhood changed are solved again"}
+    };
+    return rows;
+}
+
+ContactSolver findContactSolver(const std::string& name)
+{
+    std::string names;
+    for (const ContactSolverRow& row : contactSolvers())
+    {
+        if (name == row.name) return row.solve;
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
+    }
+    throw invalidValue("contact solver", name, names);
+}
+
+} // namespace nscd

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The frictional contact problem of one step, and the solvers that share one signature and one residual.
+#pragma once
+
+#include "contactSettings.hpp"
+#include "contactBlock.hpp"
+#include "stepReport.hpp"
+
+#include <string>
+#include <vector>
+
+namespace nscd
+{
+
+/// Bodies carry velocities that already contain the impulses in the blocks: v = v_free + M^-1 H r.
+/// A solver changes r and v together and keeps that relation.
+struct ContactProblem
+{
+    std::vector<Body>& bodies;
+    std::vector<ContactBlock>& blocks;
+    const SweepKernels& kernels;
+    bool isFrictional;
+    double deltaT;        ///< [s]
+    double speedScale;    ///< from the forces of the step [m/s]
+    double diameter;      ///< mean d [m]
+};
+
+/// Stop rule, absolute (grains.md sections 2 and 9): rms defect <= tolerance vs and largest defect dt <= displacementTolerance d, with
+/// vs = max(speed scale of the forces, 1e-3 rms defect of the first pass, 1e-3 dead band/dt).
+struct StopRule
+{
+    double rmsLimit;
+    double maxLimit;
+    double speedScale;
+
+    bool isMet(const DefectSums& sums) const;
+};
+
+/// `first` are the defects of the first pass: the approach speeds the solve has to deal with.
+StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& settings, const DefectSums& first);
+
+/// The residual every solver is judged by: natural map in velocity units,
+/// e_n = W_nn |r_n - max(0, r_n - (u_n + b)/W_nn)|, e_t = W_tt |r_t - Proj_{mu r_n}(r_t - u_t/W_tt)|; rms over active contacts, and max.
+DefectSums residual(const ContactProblem& problem);
+
+/// Root mean square over the active contacts [m/s].
+double rms(const DefectSums& sums);
+
+/// Changes impulses by delta (world frame, on body a) and the two bodies' velocities with them.
+void applyImpulse(Body& a, Body& b, const double n[3], const double delta[3]);
+
+using ContactSolver = SolveReport (*)(ContactProblem&, const ContactSettings&);
+
+struct ContactSolverRow
+{
+    const char* name;
+    ContactSolver solve;
+    const char* description;
+};
+
+/// All solvers by name.
+const std::vector<ContactSolverRow>& contactSolvers();
+
+/// Errors: std::invalid_argument listing the names there are
+ContactSolver findContactSolver(const std::string& name);
+
+SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings);
+SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings);
+
+/// Completes a report with the residual of the solution reached.
+void reportResidual(SolveReport& report, const StopRule& rule, const DefectSums& sums);
+
+} // namespace nscd

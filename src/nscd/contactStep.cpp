@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Free velocities, warm start, forces and motion.
+#include "contactStep.hpp"
+
+#include "contactSolver.hpp"
+#include "invalidValue.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// A bias that no velocity reaches: keeps far candidates out without an infinity.
+constexpr double unreachable = 1e30;
+
+void setBody(Body& body, const Vec3& v, double invMass, const Vec3& s, double invSpin)
+{
+    for (int k = 0; k < 3; ++k)
+    {
+        body.v[k] = v[k];
+        body.s[k] = s[k];
+    }
+    body.invMass = invMass;
+    body.invSpin = invSpin;
+}
+
+/// Turns last step's impulse into this step's tangent plane and friction disc.
+Vec3 warmStart(const Vec3& r, const Vec3& n, double friction)
+{
+    const double rn = r.dot(n);
+    if (!(rn > 0.0)) return Vec3::Zero();
+    const Vec3 t = r - rn*n;
+    const double size = t.norm();
+    return rn*n + (size > friction*rn ? Vec3(t*(friction*rn/size)) : t);
+}
+
+} // namespace
+
+void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT)
+{
+    const double kappa = grains.shape.inertiaFactor();
+    for (int body = 0; body < list.staticBody(); ++body)
+    {
+        const int i = list.grainOf[body];
+        const Vec3 spin = grains.radius[i]*grains.omega[i];
+        if (grains.isFixed[i])
+        {
+            setBody(list.bodies[body], grains.velocity[i], 0.0, spin, 0.0);
+            continue;
+        }
+        const double mass = grains.mass[i];
+        const double effectiveMass = forces.implicitDrag.empty() ? mass : mass + forces.implicitDrag[i]*deltaT;
+        Vec3 momentum = mass*grains.velocity[i];
+        if (!forces.force.empty()) momentum += deltaT*forces.force[i];
+        Vec3 s = spin;
+        if (!forces.torque.empty()) s += deltaT*forces.torque[i]/(kappa*mass*grains.radius[i]);
+        if (!momentum.allFinite() || !s.allFinite() || !(effectiveMass > 0.0))
+        {
+            throw invalidValue("force on grain " + std::to_string(grains.id[i]), "not finite", "finite forces and drag >= 0");
+        }
+        setBody(list.bodies[body], momentum/effectiveMass, 1.0/effectiveMass, s, 1.0/(kappa*mass));
+    }
+    setBody(list.bodies.back(), Vec3::Zero(), 0.0, Vec3::Zero(), 0.0);
+}
+
+void prepareSlots(ContactList& list, double deltaT, double deadBand, double impulseScale)
+{
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot)) continue;
+        ContactBlock& block = list.blocks[slot/blockLanes];
+        const int lane = slot % blockLanes;
+        Body& a = list.bodies[block.a[lane]];
+        Body& b = list.bodies[block.b[lane]];
+        const double wn = a.invMass + b.invMass;
+        block.invWn[lane] = 1.0/wn;
+        block.invWt[lane] = 1.0/(wn + a.invSpin + b.invSpin);
+        block.bias[lane] = std::min(unreachable, std::max(0.0, list.gap[slot] - deadBand)/deltaT);
+
+        const Vec3 old = impulse(list, slot);
+        if (old == Vec3::Zero()) continue;
+        const Vec3 n = normal(list, slot);
+        const Vec3 r = warmStart(impulseScale*old, n, block.friction[lane]);
+        setImpulse(list, slot, r);
+        applyImpulse(a, b, n.data(), r.data());
+    }
+}
+
+ContactForces sumContactForces(const ContactList& list, const Scene& scene, double deltaT)
+{
+    ContactForces sums;
+    sums.force.assign(scene.grains.size(), Vec3::Zero());
+    sums.torque.assign(scene.grains.size(), Vec3::Zero());
+    sums.wall.assign(scene.walls.patches.size(), Vec3::Zero());
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot)) continue;
+        const Vec3 r = impulse(list, slot);
+        if (r == Vec3::Zero()) continue;
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        const Vec3 force = r/deltaT;
+        const Vec3 moment = normal(list, slot).cross(force);
+        const int a = list.grainOf[block.a[slot % blockLanes]];
+        sums.force[a] += force;
+        sums.torque[a] -= scene.grains.radius[a]*moment;
+        if (list.wall[slot] >= 0)
+        {
+            sums.wall[scene.walls.regions[list.wall[slot]].patch] -= force;
+            continue;
+        }
+        const int b = list.grainOf[block.b[slot % blockLanes]];
+        sums.force[b] -= force;
+        sums.torque[b] -= scene.grains.radius[b]*moment;
+    }
+    return sums;
+}
+
+bool coversMotion(const ContactList& list, double deltaT)
+{
+    for (int body = 0; body < list.staticBody(); ++body)
+    {
+        const Vec3 travel = list.position[body] - list.positionAtBuild[body] + deltaT*Vec3(list.bodies[body].v);
+        if (!(travel.squaredNorm() <= list.reach[body]*list.reach[body])) return false;
+    }
+    return true;
+}
+
+void copyVelocities(const ContactList& list, Grains& grains)
+{
+    for (int body = 0; body < list.staticBody(); ++body)
+    {
+        const int i = list.grainOf[body];
+        grains.velocity[i] = Vec3(list.bodies[body].v);
+        grains.omega[i] = Vec3(list.bodies[body].s)/grains.radius[i];
+    }
+}
+
+double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, double deltaT, bool isRotating)
+{
+    double largest2 = 0.0;
+    for (int body = 0; body < list.staticBody(); ++body)
+    {
+        const int i = list.grainOf[body];
+        const Vec3 dx = deltaT*Vec3(list.bodies[body].v);
+        largest2 = std::max(largest2, dx.squaredNorm());
+        list.position[body] += dx;
+        grains.position[i] = box.wrap(list.position[body]);
+        if (!isRotating) continue;
+        const Vec3 turn = deltaT*Vec3(list.bodies[body].s)/grains.radius[i];
+        const double angle = turn.norm();
+        if (angle > 0.0)
+        {
+            const Quaternion rotation(Eigen::AngleAxisd(angle, turn/angle));
+            grains.orientation[i] = (rotation*grains.orientation[i]).normalized();
+        }
+    }
+    return std::sqrt(largest2);
+}
+
+OverlapStatistics measureOverlap(const ContactList& list, double diameter)
+{
+    OverlapStatistics overlap;
+    double sum = 0.0;
+    std::size_t loaded = 0;
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot) || impulse(list, slot) == Vec3::Zero()) continue;
+        const double depth = std::max(0.0, -list.gap[slot])/diameter;
+        overlap.max = std::max(overlap.max, depth);
+        sum += depth;
+        ++loaded;
+    }
+    overlap.mean = loaded > 0 ? sum/loaded : 0.0;
+    return overlap;
+}
+
+bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, double threshold, double deadBand)
+{
+    bool anyRebound = false;
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot)) continue;
+        ContactBlock& block = list.blocks[slot/blockLanes];
+        const int lane = slot % blockLanes;
+        const Vec3 n = normal(list, slot);
+        const bool isLoaded = impulse(list, slot).dot(n) > 0.0;
+        const double approach = -n.dot(Vec3(freeBodies[block.a[lane]].v) - Vec3(freeBodies[block.b[lane]].v));
+        const bool isRebounding = isLoaded && list.restitution[slot] > 0.0 && approach > threshold;
+        // Contacts that are neither loaded nor closed have no say in a shock: the next step's gap rule keeps them apart.
+        block.bias[lane] = isRebounding ? -list.restitution[slot]*approach
+                         : isLoaded || list.gap[slot] <= deadBand ? 0.0 : unreachable;
+        anyRebound = anyRebound || isRebounding;
+    }
+    return anyRebound;
+}
+
+} // namespace nscd

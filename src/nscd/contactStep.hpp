@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// From grains and forces to a contact problem, and back: free velocities, warm start, contact forces, motion.
+#pragma once
+
+#include "contactList.hpp"
+#include "grainDynamics.hpp"
+
+namespace nscd
+{
+
+/// Free velocity of every body (eq. 2.11 with drag implicit in the grain): v = (m v + dt f)/(m + gamma dt), mobilities with it.
+/// Units:   SI; list.bodies is overwritten
+/// Errors:  std::invalid_argument for a force that is not finite, naming the grain
+void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT);
+
+/// Sets W, bias and warm start of every slot, and adds the warm-start impulses to the bodies.
+/// Bias: (g - e)/dt where g > e, zero where |g| <= e or the gap is smaller (overlap is not corrected through velocity).
+/// Warm start: impulses times impulseScale = dt_new/dt_old, tangential part turned into the new tangent plane and friction disc.
+void prepareSlots(ContactList& list, double deltaT, double deadBand, double impulseScale);
+
+/// Sums the impulses: force on each grain [N], torque on it [N m], force of the grains on each wall patch [N].
+struct ContactForces
+{
+    std::vector<Vec3> force;
+    std::vector<Vec3> torque;
+    std::vector<Vec3> wall;
+};
+ContactForces sumContactForces(const ContactList& list, const Scene& scene, double deltaT);
+
+/// Whether every body stays within its reach if it moves on with its present velocity for deltaT.
+bool coversMotion(const ContactList& list, double deltaT);
+
+/// Copies velocities from bodies to grains.
+void copyVelocities(const ContactList& list, Grains& grains);
+
+/// Moves positions and turns orientations by the bodies' velocities (explicit in position, exact exponential in rotation).
+/// Returns the largest displacement [m].
+double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, double deltaT, bool isRotating);
+
+/// Overlap of the contacts that carry an impulse, in mean diameters.
+struct OverlapStatistics
+{
+    double max = 0.0;
+    double mean = 0.0;
+};
+OverlapStatistics measureOverlap(const ContactList& list, double diameter);
+
+/// Pushes grains apart whose overlap exceeds the tolerance, by displacements that give no velocity: Gauss-Seidel on
+/// n.(dx_a - dx_b) >= target - g for all near contacts, mobilities 1/m. Positions and geometry of the list are updated.
+/// Returns the sweeps made: zero when no overlap exceeds `tolerance` [m].
+int correctOverlaps(ContactList& list, const Scene& scene, double tolerance, double deadBand);
+
+/// Second velocity solve of coupling.md: contacts that closed faster than the threshold leave with u_n = -e u_n^-.
+/// Sets the slots' bias for it; `freeBodies` are the velocities before contact. Returns whether any contact rebounds.
+bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, double threshold, double deadBand);
+
+} // namespace nscd

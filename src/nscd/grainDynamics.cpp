@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The grains' time step.
+#include "grainDynamics.hpp"
+
+#include "contactList.hpp"
+#include "contactSolver.hpp"
+#include "contactStep.hpp"
+#include "invalidValue.hpp"
+#include "sweepKernels.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Adds the seconds of its own life to a counter.
+class Stopwatch
+{
+public:
+    explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
+    ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+    Stopwatch(const Stopwatch&) = delete;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    double& seconds_;
+    Clock::time_point start_;
+};
+
+/// Steps of unchanged motion a rebuilt list should last.
+constexpr double stepsPerList = 2.0;
+constexpr int maxListRebuilds = 6;
+
+} // namespace
+
+struct GrainDynamics::Implementation
+{
+    Grains grains;
+    Materials materials;
+    Walls walls;
+    PeriodicBox box;
+    ContactSettings settings;
+    std::shared_ptr<const Exchange> exchange;
+
+    ContactSolver solve;
+    SweepKernels kernels;
+    bool isFrictional;
+    double diameter = 1.0;
+
+    ContactList list;
+    bool isListStale = true;
+    double deltaT = 0.0;          // of the step begun
+    double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
+    std::vector<PairImpulse> restored;
+    ContactForces forces;
+    StepTimes times;
+
+    Scene scene() const { return {grains, materials, walls, box}; }
+    double deadBand() const { return settings.deadBand*diameter; }
+
+    void measureDiameter();
+    void clearForces();
+    void rebuildList(const std::vector<Vec3>& velocity);
+    SolveReport solveVelocities(const ExternalForces& external);
+    SolveReport solveOnce(const ExternalForces& external);
+    void rebound(const ExternalForces& external, SolveReport& report);
+    void correctPositions(StepReport& report);
+};
+
+void GrainDynamics::Implementation::measureDiameter()
+{
+    if (grains.size() == 0) return;
+    diameter = 2.0*std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0)/grains.size();
+}
+
+void GrainDynamics::Implementation::clearForces()
+{
+    const std::vector<Vec3> none(grains.size(), Vec3::Zero());
+    forces = {none, none, std::vector<Vec3>(walls.patches.size(), Vec3::Zero())};
+}
+
+void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity)
+{
+    const Stopwatch watch(times.findPairs);
+    std::vector<PairImpulse> impulses = std::move(restored);
+    restored.clear();
+    if (impulses.empty()) impulses = collectImpulses(list);
+
+    std::vector<double> reach(grains.size());
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        reach[i] = 0.5*settings.skin*diameter + stepsPerList*deltaT*velocity[i].norm();
+    }
+    list = buildContactList(scene(), reach);
+    updateGeometry(list, scene());
+    assignImpulses(list, impulses);
+    isListStale = false;
+}
+
+SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external)
+{
+    {
+        const Stopwatch watch(times.buildContacts);
+        setFreeVelocities(list, grains, external, deltaT);
+        prepareSlots(list, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
+        impulseDeltaT = deltaT;
+    }
+    const Stopwatch watch(times.solveContacts);
+    ContactProblem problem{list.bodies, list.blocks, kernels, isFrictional, deltaT, external.speedScale, diameter};
+    return solve(problem, settings);
+}
+
+SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces& external)
+{
+    SolveReport report = solveOnce(external);
+    // Grains that turn out faster than the list allows for could pass one another unseen: list and solve again.
+    for (int attempt = 0; !coversMotion(list, deltaT); ++attempt)
+    {
+        if (attempt == maxListRebuilds) throw std::runtime_error("contact list cannot follow the grains; use a smaller time step");
+        std::vector<Vec3> velocity(grains.size());
+        for (int body = 0; body < list.staticBody(); ++body)
+        {
+            velocity[list.grainOf[body]] = (attempt + 1.0)*Vec3(list.bodies[body].v);
+        }
+        const int before = report.sweeps;
+        rebuildList(velocity);
+        report = solveOnce(external);
+        report.sweeps += before;
+    }
+    return report;
+}
+
+void GrainDynamics::Implementation::rebound(const ExternalForces& external, SolveReport& report)
+{
+    std::vector<Body> inelastic = list.bodies;
+    setFreeVelocities(list, grains, external, deltaT);
+    const std::vector<Body> freeBodies = std::move(list.bodies);
+    list.bodies = std::move(inelastic);
+    // Below twice what the forces add in a step a rebound is noise of a resting contact.
+    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
+
+    const std::vector<ContactBlock> beforeShock = list.blocks;
+    ContactProblem problem{list.bodies, list.blocks, kernels, isFrictional, deltaT, external.speedScale, diameter};
+    const SolveReport shock = solve(problem, settings);
+    report.sweeps += shock.sweeps;
+    report.converged = report.converged && shock.converged;
+    report.residualRms = std::max(report.residualRms, shock.residualRms);
+    report.residualMax = std::max(report.residualMax, shock.residualMax);
+    forces = sumContactForces(list, scene(), deltaT);
+    // The next step starts from the impulses of the motion, not from those of the shock.
+    for (std::size_t k = 0; k < list.blocks.size(); ++k)
+    {
+        std::copy(&beforeShock[k].r[0][0], &beforeShock[k].r[0][0] + 3*blockLanes, &list.blocks[k].r[0][0]);
+    }
+}
+
+void GrainDynamics::Implementation::correctPositions(StepReport& report)
+{
+    updateGeometry(list, scene());
+    report.correctionSweeps = correctOverlaps(list, scene(), settings.overlapTolerance*diameter, deadBand());
+    if (report.correctionSweeps > 0)
+    {
+        for (int body = 0; body < list.staticBody(); ++body)
+        {
+            grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
+        }
+    }
+    const OverlapStatistics overlap = measureOverlap(list, diameter);
+    report.overlapMax = overlap.max;
+    report.overlapMean = overlap.mean;
+}
+
+GrainDynamics::GrainDynamics
+(
+    Grains grains, Materials materials, Walls walls, PeriodicBox box,
+    ContactSettings settings, std::shared_ptr<const Exchange> exchange
+)
+:
+    self_(std::make_unique<Implementation>())
+{
+    self_->grains = std::move(grains);
+    self_->materials = std::move(materials);
+    self_->walls = std::move(walls);
+    self_->box = box;
+    self_->settings = settings;
+    self_->exchange = std::move(exchange);
+    self_->solve = findContactSolver(settings.solver);
+    self_->kernels = chooseKernels(settings.vectorPath.c_str());
+    self_->isFrictional = self_->materials.anyFriction();
+    self_->measureDiameter();
+    self_->clearForces();
+}
+
+GrainDynamics::~GrainDynamics() = default;
+
+const Grains& GrainDynamics::grains() const { return self_->grains; }
+
+void GrainDynamics::setGrains(Grains grains)
+{
+    double lastDeltaT;
+    const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
+    self_->grains = std::move(grains);
+    self_->clearForces();
+    restore(impulses, lastDeltaT);
+}
+
+void GrainDynamics::beginStep(double deltaT)
+{
+    if (!(deltaT > 0.0) || !std::isfinite(deltaT)) throw invalidValue("time step", deltaT, "a finite value > 0 s");
+    Implementation& self = *self_;
+    self.deltaT = deltaT;
+    if (self.isListStale) self.measureDiameter();
+    if (self.isListStale || !coversMotion(self.list, deltaT)) self.rebuildList(self.grains.velocity);
+}
+
+bool GrainDynamics::hasContacts() const { return self_->list.candidates > 0; }
+
+Prediction GrainDynamics::predict(const ExternalForces& external)
+{
+    Prediction prediction;
+    prediction.solve = self_->solveVelocities(external);
+    prediction.velocity.resize(self_->grains.size());
+    for (int body = 0; body < self_->list.staticBody(); ++body)
+    {
+        prediction.velocity[self_->list.grainOf[body]] = Vec3(self_->list.bodies[body].v);
+    }
+    prediction.contactForce = sumContactForces(self_->list, self_->scene(), self_->deltaT).force;
+    return prediction;
+}
+
+StepReport GrainDynamics::advance(const ExternalForces& external)
+{
+    Implementation& self = *self_;
+    StepReport report;
+    const double findPairsBefore = self.times.findPairs;
+    report.solve = self.solveVelocities(external);
+    report.listRebuilt = self.times.findPairs > findPairsBefore;
+    report.candidates = self.list.candidates;
+
+    const Stopwatch watch(self.times.moveGrains);
+    self.forces = sumContactForces(self.list, self.scene(), self.deltaT);
+    report.maxDisplacement = moveGrains(self.list, self.grains, self.box, self.deltaT, self.isFrictional)/self.diameter;
+    if (!self.list.restitution.empty()) self.rebound(external, report.solve);
+    copyVelocities(self.list, self.grains);
+    self.correctPositions(report);
+    return report;
+}
+
+const std::vector<Vec3>& GrainDynamics::contactForce() const { return self_->forces.force; }
+const std::vector<Vec3>& GrainDynamics::contactTorque() const { return self_->forces.torque; }
+const std::vector<Vec3>& GrainDynamics::wallForce() const { return self_->forces.wall; }
+const StepTimes& GrainDynamics::times() const { return self_->times; }
+
+std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
+{
+    Implementation& self = *self_;
+    lastDeltaT = self.impulseDeltaT;
+    if (!self.isListStale) self.restored = collectImpulses(self.list);
+    self.isListStale = true;
+
+    std::vector<StoredImpulse> stored;
+    stored.reserve(self.restored.size());
+    for (const PairImpulse& entry : self.restored)
+    {
+        const std::int64_t idB = entry.b >= 0 ? self.grains.id[entry.b] : entry.b;
+        stored.push_back({self.grains.id[entry.a], idB, entry.impulse});
+    }
+    return stored;
+}
+
+void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double lastDeltaT)
+{
+    Implementation& self = *self_;
+    std::unordered_map<std::int64_t, int> indexOf;
+    for (std::size_t i = 0; i < self.grains.size(); ++i) indexOf[self.grains.id[i]] = static_cast<int>(i);
+    self.restored.clear();
+    for (const StoredImpulse& entry : impulses)
+    {
+        const auto a = indexOf.find(entry.idA);
+        const auto b = indexOf.find(entry.idB);
+        if (a == indexOf.end() || (entry.idB >= 0 && b == indexOf.end())) continue;
+        self.restored.push_back({a->second, entry.idB >= 0 ? b->second : static_cast<int>(entry.idB), entry.impulse});
+    }
+    self.impulseDeltaT = lastDeltaT;
+    self.list = ContactList();
+    self.isListStale = true;
+}
+
+} // namespace nscd

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The grains' time step (Algorithms 1 to 3 of the method): free velocities, pairs, contacts, solve, move.
+#pragma once
+
+#include "contactSettings.hpp"
+#include "exchange.hpp"
+#include "grains.hpp"
+#include "materials.hpp"
+#include "periodicBox.hpp"
+#include "stepReport.hpp"
+#include "walls.hpp"
+
+#include <memory>
+
+namespace nscd
+{
+
+/// Everything that acts on the grains from outside during one step. Empty arrays mean zero.
+struct ExternalForces
+{
+    /// f_e [N]: gravity and buoyancy, pressure, explicit drag, and implicitDrag times the fluid velocity.
+    std::vector<Vec3> force;
+    /// Torque [N m].
+    std::vector<Vec3> torque;
+    /// Coefficient gamma [kg/s] of a drag -gamma v that is implicit in the grain's own new velocity.
+    std::vector<double> implicitDrag;
+    /// Largest rms over the grains of dt f/(m + gamma dt) among the forces taken one by one [m/s]; scales the stop rule.
+    double speedScale = 0.0;
+};
+
+/// Result of a contact solve that moves nothing.
+struct Prediction
+{
+    std::vector<Vec3> velocity;      ///< [m/s]
+    std::vector<Vec3> contactForce;  ///< net contact force on each grain [N]
+    SolveReport solve;
+};
+
+/// A contact's impulse under the identity of its partners, for restart. idB < 0: wall region -1 - idB.
+struct StoredImpulse
+{
+    std::int64_t idA;
+    std::int64_t idB;
+    Vec3 impulse;  ///< on A [N s], over the last step
+};
+
+/// Rigid grains with unilateral frictional contact, advanced one step at a time.
+/// Use per step: beginStep(dt); optionally predict(forces); advance(forces).
+class GrainDynamics
+{
+public:
+    GrainDynamics
+    (
+        Grains grains, Materials materials, Walls walls, PeriodicBox box,
+        ContactSettings settings, std::shared_ptr<const Exchange> exchange = std::make_shared<Exchange>()
+    );
+    ~GrainDynamics();
+
+    const Grains& grains() const;
+    /// Replaces the grains, for whoever adds, removes or moves some; impulses follow the identities that are still there.
+    void setGrains(Grains grains);
+
+    /// Finds pairs and builds the contacts at the present positions for a step of length dt [s].
+    /// Errors: std::invalid_argument for dt <= 0, coincident centers
+    void beginStep(double dt);
+
+    /// Whether any contact could become active in this step; without, predict() need not be called.
+    bool hasContacts() const;
+
+    /// Velocities and contact forces that the step would end with under `forces`, moving nothing.
+    Prediction predict(const ExternalForces& forces);
+
+    /// Completes the step begun: free velocities, contact solve, motion, restitution, overlap correction.
+    /// Ensures: no contact's gap falls below -(dead band + displacement tolerance) if the report says converged
+    StepReport advance(const ExternalForces& forces);
+
+    /// Net contact force on each grain over the last step [N].
+    const std::vector<Vec3>& contactForce() const;
+    /// Net contact torque on each grain over the last step [N m].
+    const std::vector<Vec3>& contactTorque() const;
+    /// Force of the grains on each wall patch over the last step [N].
+    const std::vector<Vec3>& wallForce() const;
+
+    /// Impulses of all contacts that carry one. After this call the next step searches anew, as a restarted run does,
+    /// so that a run that continues and one that restarts do the same to the bit.
+    std::vector<StoredImpulse> checkpoint(double& lastDeltaT);
+    void restore(const std::vector<StoredImpulse>& impulses, double lastDeltaT);
+
+    /// Seconds spent in the parts of the step since construction.
+    const StepTimes& times() const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> self_;
+};
+
+} // namespace nscd

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The grains: rigid spheres (3D) or discs (2D), one plain array per property.
+#pragma once
+
+#include "vec3.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace nscd
+{
+
+/// Shape of all grains of a scene, which fixes mass and inertia J = kappa m R^2.
+struct GrainShape
+{
+    /// 3: spheres, kappa = 2/5. 2: discs (cylinders of length `thickness`), kappa = 1/2.
+    int dimensions = 3;
+    /// Length of a disc along the empty direction [m]; not used in 3D.
+    double thickness = 1.0;
+
+    double inertiaFactor() const { return dimensions == 2 ? 0.5 : 0.4; }
+    double volume(double radius) const;
+};
+
+/// Grains in the order their owner gave them; that order never changes during a run.
+/// Units: SI. Owned grains come first; ghosts of other ranks follow from index nOwned on.
+struct Grains
+{
+    GrainShape shape;
+    std::size_t nOwned = 0;
+
+    std::vector<Vec3> position;
+    std::vector<Vec3> velocity;
+    std::vector<Vec3> omega;              ///< angular velocity, world frame [rad/s]
+    std::vector<Quaternion> orientation;
+    std::vector<double> radius;
+    std::vector<double> mass;
+    std::vector<int> material;            ///< index into Materials
+    std::vector<std::int64_t> id;         ///< unique over all ranks and the whole run
+    std::vector<std::uint8_t> isFixed;    ///< 1: held in place, infinite mass
+
+    std::size_t size() const { return position.size(); }
+    double volume(std::size_t i) const { return shape.volume(radius[i]); }
+
+    /// Appends one owned grain at rest.
+    /// Errors: std::invalid_argument for a radius or density that is not finite and positive, or a position that is not finite
+    void add(const Vec3& position, double radius, double density, int material, std::int64_t id);
+};
+
+/// Sum of all owned grains' volume [m3].
+double totalVolume(const Grains& grains);
+
+/// Center of mass of the owned grains [m]; zero when there are none.
+Vec3 massCenter(const Grains& grains);
+
+/// Sum of m v^2/2 + kappa m R^2 omega^2/2 over the owned grains [J].
+double kineticEnergy(const Grains& grains);
+
+} // namespace nscd

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Materials of grains and walls, and the contact coefficients of every pair of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace nscd
+{
+
+/// Friction and restitution of one pair of materials.
+struct ContactPair
+{
+    double friction = 0.0;     ///< Coulomb's mu, >= 0
+    double restitution = 0.0;  ///< Newton's e in [0, 1]; 0 is the inelastic shock
+};
+
+/// Named materials with a symmetric table of pairs; a pair nobody set is frictionless and inelastic.
+class Materials
+{
+public:
+    /// Adds a material and returns its index.
+    /// Errors: std::invalid_argument if the name exists
+    int add(const std::string& name);
+
+    /// Sets a pair (symmetric).
+    /// Errors: std::invalid_argument for friction < 0 or not finite, restitution outside [0, 1], or an unknown index
+    void setPair(int materialA, int materialB, const ContactPair& pair);
+
+    const ContactPair& pair(int materialA, int materialB) const { return pairs_[materialA*size() + materialB]; }
+    bool isPairSet(int materialA, int materialB) const { return isSet_[materialA*size() + materialB] != 0; }
+
+    int size() const { return static_cast<int>(names_.size()); }
+    const std::vector<std::string>& names() const { return names_; }
+    /// Index of a name, or -1.
+    int find(const std::string& name) const;
+
+    bool anyFriction() const;
+    bool anyRestitution() const;
+
+private:
+    std::vector<std::string> names_;
+    std::vector<ContactPair> pairs_;
+    std::vector<char> isSet_;
+};
+
+} // namespace nscd

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What a contact solve and a step report of themselves.
+#pragma once
+
+#include <cstddef>
+
+namespace nscd
+{
+
+struct SolveReport
+{
+    int sweeps = 0;
+    bool converged = true;
+    double residualRms = 0.0;   ///< natural map over active contacts, rms [m/s]
+    double residualMax = 0.0;   ///< natural map, largest [m/s]
+    double speedScale = 0.0;    ///< what the tolerance multiplies [m/s]
+    std::size_t contacts = 0;   ///< contacts that carry an impulse
+};
+
+struct StepReport
+{
+    SolveReport solve;
+    std::size_t candidates = 0;       ///< pairs listed
+    bool listRebuilt = false;
+    double overlapMax = 0.0;          ///< over contacts that carry an impulse, in d
+    double overlapMean = 0.0;
+    int correctionSweeps = 0;         ///< of the overlap correction
+    double maxDisplacement = 0.0;     ///< of any grain in this step, in d
+};
+
+/// Seconds spent so far in each part.
+struct StepTimes
+{
+    double findPairs = 0.0;
+    double buildContacts = 0.0;
+    double solveContacts = 0.0;
+    double moveGrains = 0.0;
+};
+
+} // namespace nscd

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Nearest points on flat walls.
+#include "walls.hpp"
+
+#include "invalidValue.hpp"
+
+#include <limits>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Whether a point of the region's plane lies inside its outline: its winding number is not zero.
+bool isInsideOutline(const WallRegion& region, const Vec3& point)
+{
+    // Crossing test along a ray in the plane; the ray's side vector is perpendicular to it within the plane.
+    int axis;
+    region.normal.cwiseAbs().minCoeff(&axis);
+    const Vec3 ray = region.normal.cross(Vec3::Unit(axis)).normalized();
+    const Vec3 side = region.normal.cross(ray);
+
+    int winding = 0;
+    for (const WallEdge& edge : region.edges)
+    {
+        const double h0 = side.dot(edge.start - point);
+        const double h1 = side.dot(edge.end - point);
+        if ((h0 <= 0.0) == (h1 <= 0.0)) continue;
+        const double t = h0/(h0 - h1);
+        const double along = ray.dot(edge.start + t*(edge.end - edge.start) - point);
+        if (along > 0.0) winding += h0 <= 0.0 ? 1 : -1;
+    }
+    return winding != 0;
+}
+
+Vec3 nearestOnEdge(const WallEdge& edge, const Vec3& point)
+{
+    const Vec3 direction = edge.end - edge.start;
+    const double t = direction.dot(point - edge.start)/direction.squaredNorm();
+    return edge.start + std::min(1.0, std::max(0.0, t))*direction;
+}
+
+} // namespace
+
+int Walls::addPatch(const std::string& name, int material)
+{
+    patches.push_back({name, material});
+    return static_cast<int>(patches.size()) - 1;
+}
+
+void Walls::addPlane(int patch, const Vec3& point, const Vec3& normal)
+{
+    if (!(normal.norm() > 0.0)) throw invalidValue("wall normal", normal.transpose(), "a vector that is not zero");
+    regions.push_back({point, normal.normalized(), {}, patch});
+}
+
+void Walls::addPolygon(int patch, const std::vector<Vec3>& vertices)
+{
+    if (vertices.size() < 3) throw invalidValue("wall polygon's number of vertices", vertices.size(), ">= 3");
+    Vec3 areaVector = Vec3::Zero();
+    std::vector<WallEdge> edges;
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+    {
+        const Vec3& next = vertices[(k + 1) % vertices.size()];
+        areaVector += 0.5*(vertices[k] - vertices[0]).cross(next - vertices[0]);
+        edges.push_back({vertices[k], next});
+    }
+    if (!(areaVector.norm() > 0.0)) throw invalidValue("wall polygon's area", areaVector.norm(), "> 0 m2");
+    regions.push_back({vertices[0], areaVector.normalized(), edges, patch});
+}
+
+WallProximity nearestPoint(const WallRegion& region, const Vec3& center)
+{
+    const double height = region.normal.dot(center - region.point);
+    const Vec3 foot = center - height*region.normal;
+    if (region.edges.empty() || isInsideOutline(region, foot)) return {foot, region.normal, height, true};
+
+    Vec3 nearest = foot;
+    double nearest2 = std::numeric_limits<double>::max();
+    for (const WallEdge& edge : region.edges)
+    {
+        const Vec3 candidate = nearestOnEdge(edge, center);
+        const double distance2 = (center - candidate).squaredNorm();
+        if (distance2 < nearest2)
+        {
+            nearest2 = distance2;
+            nearest = candidate;
+        }
+    }
+    const double distance = std::sqrt(nearest2);
+    const Vec3 normal = distance > 0.0 ? Vec3((center - nearest)/distance) : region.normal;
+    return {nearest, normal, distance, false};
+}
+
+Eigen::AlignedBox3d bounds(const WallRegion& region)
+{
+    if (region.edges.empty()) throw invalidValue("wall region", "an infinite plane", "a region with edges");
+    Eigen::AlignedBox3d box;
+    for (const WallEdge& edge : region.edges)
+    {
+        box.extend(edge.start);
+        box.extend(edge.end);
+    }
+    return box;
+}
+
+} // namespace nscd

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+// Smoothing, redistribution, and the duality of spreading and sampling.
+
+#include "mappingTools.H"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::nscdCoupling;
+using namespace Foam::nscdCoupling::testing;
+
+scalarField randomField(const label n, const unsigned seed)
+{
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<scalar> random(-1, 1);
+    scalarField field(n);
+    for (scalar& value : field) value = random(generator);
+    return field;
+}
+
+vectorField randomVectors(const label n, const unsigned seed)
+{
+    vectorField field(n);
+    for (direction axis = 0; axis < 3; ++axis) field.replace(axis, randomField(n, seed + axis));
+    return field;
+}
+
+scalar volumeProduct(const fvMesh& mesh, const scalarField& a, const scalarField& b)
+{
+    return sum(mesh.V().field()*a*b);
+}
+
+BoxMeshSettings shakenPartlyCyclic()
+{
+    BoxMeshSettings settings = unitCells(labelVector(6, 5, 4), {"cyclic", "cyclic", "wall", "patch", "wall", "wall"});
+    shake(settings, 0.2);
+    return settings;
+}
+
+TEST(mappingSmoother, keepsSumsAndUniformFieldsToRoundOff)
+{
+    BoxMesh box(shakenPartlyCyclic());
+    for (const scalar length : {0.5, 3.0, 20.0})
+    {
+        const DiffusionSmoother smoother(box.mesh(), length);
+        scalarField field = randomField(box.mesh().nCells(), 3) + 2.0;
+        const scalar before = sum(box.mesh().V().field()*field);
+        EXPECT_TRUE(smoother.smooth(field).isConverged);
+        EXPECT_NEAR(sum(box.mesh().V().field()*field)/before, 1, 1e-14) << length;
+
+        scalarField uniform(box.mesh().nCells(), 0.7);
+        smoother.smooth(uniform);
+        EXPECT_EQ(uniform, scalarField(box.mesh().nCells(), 0.7));
+    }
+}
+
+TEST(mappingSmoother, isItsOwnTranspose)
+{
+    BoxMesh box(shakenPartlyCyclic());
+    const fvMesh& mesh = box.mesh();
+    for (const scalar length : {0.5, 3.0, 20.0})
+    {
+        const DiffusionSmoother smoother(mesh, length);
+        const scalarField f = randomField(mesh.nCells(), 1);
+        const scalarField g = randomField(mesh.nCells(), 2);
+        scalarField smoothF = f;
+        scalarField smoothG = g;
+        smoother.smooth(smoothF);
+        smoother.smooth(smoothG);
+        const scalar scale = std::sqrt(volumeProduct(mesh, f, f)*volumeProduct(mesh, g, g));
+        EXPECT_NEAR(volumeProduct(mesh, smoothF, g)/scale, volumeProduct(mesh, f, smoothG)/scale, 1e-12) << length;
+    }
+}
+
+// On a uniform mesh one implicit step widens a peak by exactly 2 D T = length^2/(8 ln 2) per direction.
+TEST(mappingSmoother, hasTheVarianceItPromises)
+{
+    BoxMesh box(unitCells(labelVector(61, 3, 3), {"wall", "wall", "cyclic", "cyclic", "cyclic", "cyclic"}));
+    const scalar length = 4;
+    const DiffusionSmoother smoother(box.mesh(), length);
+    scalarField peak(box.mesh().nCells(), Zero);
+    forAll(peak, cellI) peak[cellI] = mag(box.mesh().cellCentres()[cellI].x() - 30.5) < 0.1 ? 1 : 0;
+    smoother.smooth(peak);
+    scalar variance = 0;
+    forAll(peak, cellI) variance += peak[cellI]*sqr(box.mesh().cellCentres()[cellI].x() - 30.5)/sum(peak);
+    EXPECT_NEAR(variance, sqr(length)/(8*std::log(2.0)), 1e-4);
+}
+
+// What the pipeline gives with each method, smoothed or not, redistributing or not.
+void expectDuality(const BoxMeshSettings& settings, const ::nscd::Grains& grains)
+{
+    BoxMesh box(settings);
+    const fvMesh& mesh = box.mesh();
+    for (const char* method : {"centroid", "satellite", "exact"})
+    {
+        for (const scalar length : {0.0, 1.5})
+        {
+            GrainMapping mapping(mesh, mappingDict(method, length, 0.4));
+            const MappingReport& report = mapping.update(grains, {});
+            EXPECT_GT(report.redistribution.movedVolume, 0);
+            EXPECT_EQ(report.redistribution.unresolvedVolume, 0);
+            EXPECT_NEAR(report.volumeDeposited/report.grainVolume, 1, 1e-12);
+
+            const vectorField cells = randomVectors(mesh.nCells(), 7);
+            std::vector<Vec3> amounts = randomPoints(grains.nOwned, Vec3(-1, -1, -1), Vec3(1, 1, 1), 5);
+            vectorField spread;
+            std::vector<Vec3> sampled;
+            mapping.spread(amounts, spread);
+            mapping.sample(cells, sampled);
+            scalar onGrains = 0;
+            scalar scale = 0;
+            Vec3 total = Vec3::Zero();
+            for (std::size_t i = 0; i < amounts.size(); ++i)
+            {
+                onGrains += amounts[i].dot(sampled[i]);
+                scale += std::abs(amounts[i].dot(sampled[i]));
+                total += amounts[i];
+            }
+            const scalar inCells = sum(mesh.V().field()*(spread & cells));
+            EXPECT_NEAR(onGrains/scale, inCells/scale, length > 0 ? 1e-12 : 1e-14) << method << " length " << length;
+            EXPECT_NEAR(mag(sum(mesh.V().field()*spread) - toFoam(total)), 0, 1e-13*amounts.size()) << method;
+        }
+    }
+}
+
+TEST(grainMapping, spreadingAndSamplingAreDual)
+{
+    // A cluster dense enough to be redistributed.
+    expectDuality(shakenPartlyCyclic(), makeGrains(randomPoints(60, Vec3(0.1, 1.5, 1.5), Vec3(1.5, 3, 3)), 0.35));
+}
+
+TEST(grainMapping, severalFieldsAtOnceAreTheSameAsOneByOne)
+{
+    BoxMesh box(shakenPartlyCyclic());
+    const label nCells = box.mesh().nCells();
+    const ::nscd::Grains grains = makeGrains(randomPoints(60, Vec3(0.1, 1.5, 1.5), Vec3(1.5, 3, 3)), 0.35);
+    GrainMapping mapping(box.mesh(), mappingDict("exact", 1, 0.4));
+    mapping.update(grains, {});
+
+    std::vector<scalar> amounts(60, 0.3);
+    const std::vector<Vec3> forces = randomPoints(60, Vec3(-1, -1, -1), Vec3(1, 1, 1));
+    scalarField amountsAlone, amountsTogether;
+    vectorField forcesAlone, forcesTogether;
+    mapping.spread(amounts, amountsAlone);
+    mapping.spread(forces, forcesAlone);
+    mapping.spread({{amounts, amountsTogether}}, {{forces, forcesTogether}});
+    EXPECT_EQ(amountsAlone, amountsTogether);
+    EXPECT_EQ(forcesAlone, forcesTogether);
+
+    const scalarField pressures = randomField(nCells, 4);
+    const vectorField velocities = randomVectors(nCells, 5);
+    std::vector<scalar> pressureAlone, pressureTogether;
+    std::vector<Vec3> velocityAlone, velocityTogether;
+    mapping.sample(pressures, pressureAlone);
+    mapping.sample(velocities, velocityAlone);
+    mapping.sample({{pressures, pressureTogether}}, {{velocities, velocityTogether}});
+    EXPECT_EQ(pressureAlone, pressureTogether);
+    EXPECT_EQ(velocityAlone, velocityTogether);
+}
+
+TEST(grainMapping, voidFractionIsOneLessTheVolumeSpread)
+{
+    BoxMesh box(shakenPartlyCyclic());
+    const fvMesh& mesh = box.mesh();
+    const ::nscd::Grains grains = makeGrains(randomPoints(60, Vec3(0.1, 1.5, 1.5), Vec3(1.5, 3, 3)), 0.35);
+    GrainMapping mapping(mesh, mappingDict("exact", 1, 0.4));
+    mapping.update(grains, {});
+    std::vector<scalar> volumes(60, grains.volume(0));
+    scalarField solid;
+    mapping.spread(volumes, solid);
+    volScalarField epsilon(IOobject("alpha", box.time().timeName(), mesh), mesh, dimensionedScalar("one", dimless, 1));
+    mapping.voidFraction(epsilon);
+    forAll(epsilon, cellI) EXPECT_NEAR(epsilon[cellI], 1 - solid[cellI], 1e-13);
+    EXPECT_GT(min(epsilon).value(), 0.4 - 1e-9);
+}
+
+TEST(mappingRedistribution, doesNothingBelowTheLimit)
+{
+    BoxMesh box(unitCells(labelVector(4, 4, 4)));
+    const MappingMesh mesh = makeMappingMesh(box.mesh());
+    PackingRedistribution redistribution(mesh, 0.8);
+    scalarField fraction(64, 0.8);
+    const RedistributionReport report = redistribution.build(fraction);
+    EXPECT_EQ(report.passes, 0);
+    EXPECT_EQ(report.movedVolume, 0);
+    EXPECT_FALSE(redistribution.isActive());
+    EXPECT_EQ(fraction, scalarField(64, 0.8));
+}
+
+// A grain five cells wide that the centroid method puts into one cell; then one as large as the whole domain.
+TEST(mappingRedistribution, clearsWhatFitsAndReportsWhatDoesNot)
+{
+    BoxMesh box(unitCells(labelVector(11, 11, 11)));
+    const MappingMesh mesh = makeMappingMesh(box.mesh());
+    PackingRedistribution redistribution(mesh, 0.8);
+    scalarField fraction(1331, Zero);
+    fraction[665] = 65.4;
+    RedistributionReport report = redistribution.build(fraction);
+    EXPECT_EQ(report.unresolvedVolume, 0);
+    EXPECT_LE(max(fraction), 0.8*(1 + 1e-9));
+    EXPECT_GE(min(fraction), 0);
+    EXPECT_NEAR(sum(fraction), 65.4, 1e-11);
+
+    fraction = 0.9;
+    report = redistribution.build(fraction);
+    EXPECT_NEAR(report.unresolvedVolume, 133.1, 1e-9);
+    EXPECT_NEAR(sum(fraction), 0.9*1331, 1e-9);
+}
+
+} // End anonymous namespace
