@@ -53,7 +53,7 @@ double dallaValleCdRe(double Re)
     return root*root;
 }
 
-/// beta = 3.7 - 0.65 exp(-(1.5 - log10 Re)^2/2) (Di Felice 1994, eq. 17).
+/// beta = 3.7 - 0.65 exp(-(1.5 - log10 Re)^2/2) (Di Felice 1994).
 double diFeliceExponent(double Re)
 {
     // The exponential is below 1e-39 there; log10(0) would trip a run that traps floating-point errors.

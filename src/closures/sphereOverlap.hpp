@@ -29,7 +29,7 @@ namespace closures
 /// Shapes:   vertices [nVertices], in order, counterclockwise around areaNormal, in one plane (else triangulate);
 ///           any simple polygon; areaNormal of any length, pointing out of the polyhedron
 /// Units:    m, m3
-/// Ensures:  the sum over a closed polyhedron, convex or not, is exact to 1e-14 of the ball's volume, for any position of
+/// Ensures:  the sum over a closed polyhedron, convex or not, is exact to 1e-13 of the ball's volume, for any position of
 ///           the center; polyhedra that miss the ball give round-off of that size, of either sign
 double ballFaceContribution
 (

@@ -3,6 +3,7 @@
 //
 // Exact overlap of a ball (in 2D a disc) with the cells of a mesh.
 #include "ballCellOverlap.H"
+#include "ballFaceExcess.H"
 
 #include "sphereOverlap.hpp"
 
@@ -24,34 +25,10 @@ constexpr scalar roundOff = 1e-13;
 // Two images of one cell are a period apart, never this little (over the radius).
 constexpr scalar sameImage = 1e-6;
 
-// Solid angle of a convex polygon seen from the center, > 0 when the normal points away from it (van Oosterom & Strackee 1983).
-scalar solidAngle(const Vec3* v, const label nVertices, const Vec3& center)
-{
-    const Vec3 a = v[0] - center;
-    const scalar ra = a.norm();
-    Vec3 b = v[1] - center;
-    scalar rb = b.norm();
-    scalar half = 0;
-    for (label k = 2; k < nVertices; ++k)
-    {
-        const Vec3 c = v[k] - center;
-        const scalar rc = c.norm();
-        half += std::atan2(a.dot(b.cross(c)), ra*rb*rc + a.dot(b)*rc + a.dot(c)*rb + b.dot(c)*ra);
-        b = c;
-        rb = rc;
-    }
-    return 2*half;
-}
-
 // Along which axes the mid-plane of a two-dimensional mesh extends, so that the empty axis points to the viewer.
 Eigen::Vector2d onPlane(const Vec3& x, const int emptyAxis)
 {
     return {x[(emptyAxis + 1) % 3], x[(emptyAxis + 2) % 3]};
-}
-
-scalar angle(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-    return std::atan2(a[0]*b[1] - a[1]*b[0], a.dot(b));
 }
 
 } // namespace
@@ -80,18 +57,12 @@ scalar BallCellOverlap::excess(const label face, const Vec3& center)
         }
         centerOnFace_ = centerOnFace_ || std::abs(height) < onFace*radius_;
         const Vec3* v = &mesh_.vertices[piece.firstVertex];
-        if (mesh_.is2D())
-        {
-            const Eigen::Vector2d c = onPlane(center, mesh_.emptyAxis);
-            const Eigen::Vector2d a = onPlane(v[0], mesh_.emptyAxis);
-            const Eigen::Vector2d b = onPlane(v[1], mesh_.emptyAxis);
-            sum += closures::discEdgeContribution(c, radius_, a, b) - 0.5*radius_*radius_*angle(a - c, b - c);
-        }
-        else
-        {
-            sum += closures::ballFaceContribution(center, radius_, v, piece.nVertices, piece.normal)
-                - radius_*radius_*radius_/3*solidAngle(v, piece.nVertices, center);
-        }
+        sum += mesh_.is2D()
+            ? discEdgeExcess
+              (
+                  onPlane(center, mesh_.emptyAxis), radius_, onPlane(v[0], mesh_.emptyAxis), onPlane(v[1], mesh_.emptyAxis)
+              )
+            : ballFaceExcess(center, radius_, v, piece.nVertices, piece.normal);
     }
     return sum;
 }

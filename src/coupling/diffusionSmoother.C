@@ -90,14 +90,14 @@ void DiffusionSmoother::addCyclicDiagonal()
     }
 }
 
-void DiffusionSmoother::subtractFluxes(const scalarField& solution, scalarField& cells) const
+scalarField DiffusionSmoother::netInflow(const scalarField& cells) const
 {
-    const scalarField& volumes = mesh_.V();
+    scalarField inflow(cells.size(), Zero);
     const auto exchange = [&](const label from, const label to, const scalar conductance)
     {
-        const scalar flux = conductance*(solution[from] - solution[to]);
-        cells[from] -= flux/volumes[from];
-        cells[to] += flux/volumes[to];
+        const scalar flux = conductance*(cells[from] - cells[to]);
+        inflow[from] -= flux;
+        inflow[to] += flux;
     };
     const scalarField& upper = matrix_->upper();
     forAll(upper, faceI)
@@ -117,6 +117,7 @@ void DiffusionSmoother::subtractFluxes(const scalarField& solution, scalarField&
             exchange(cyclic->faceCells()[k], cyclic->neighbPatch().faceCells()[k], conductance[k]);
         }
     }
+    return inflow;
 }
 
 SmoothingReport DiffusionSmoother::smooth(scalarField& cells) const
@@ -126,7 +127,7 @@ SmoothingReport DiffusionSmoother::smooth(scalarField& cells) const
         return {};
     }
     fvScalarMatrix& matrix = const_cast<fvScalarMatrix&>(matrix_());
-    scalarField solution(cells);
+    scalarField change(cells.size(), Zero);
     const solverPerformance performance = lduMatrix::solver::New
     (
         solution_().name(),
@@ -135,8 +136,9 @@ SmoothingReport DiffusionSmoother::smooth(scalarField& cells) const
         matrix.internalCoeffs(),
         solution_().boundaryField().scalarInterfaces(),
         controls_
-    )->solve(solution, scalarField(mesh_.V()*cells));
-    subtractFluxes(solution, cells);
+    )->solve(change, netInflow(cells));
+    const scalarField& volumes = mesh_.V();
+    cells += change - sum(volumes*change)/sum(volumes);
     return {performance.nIterations(), performance.finalResidual(), performance.converged()};
 }
 

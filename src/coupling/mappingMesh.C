@@ -56,6 +56,21 @@ bool isPlanar(const face& f, const pointField& points, const point& center, cons
     return f.size() == 3 || warp <= planarTolerance*size;
 }
 
+bool isConvex(const face& f, const pointField& points, const vector& normal)
+{
+    forAll(f, k)
+    {
+        const point& corner = points[f[k]];
+        const vector before = corner - points[f.prevLabel(k)];
+        const vector after = points[f.nextLabel(k)] - corner;
+        if (((before ^ after) & normal) < -planarTolerance*mag(before)*mag(after))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
 void addPiece(MappingMesh& result, const Vec3& normal, const std::vector<Vec3>& corners)
 {
     FacePiece piece;
@@ -122,7 +137,7 @@ void addFacePieces(const fvMesh& mesh, const label faceI, const bool isEmpty, Ma
     {
         addEdge(result, f, mesh.points(), toVec3(normal));
     }
-    else if (isPlanar(f, mesh.points(), center, normal))
+    else if (isPlanar(f, mesh.points(), center, normal) && isConvex(f, mesh.points(), normal))
     {
         addPolygon(result, f, mesh.points(), toVec3(normal));
     }

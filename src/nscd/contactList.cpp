@@ -170,9 +170,9 @@ ContactList buildContactList(const Scene& scene, const std::vector<double>& reac
     return list;
 }
 
-std::vector<PairImpulse> collectImpulses(const ContactList& list)
+std::vector<SlotImpulse> loadedSlots(const ContactList& list)
 {
-    std::vector<PairImpulse> impulses;
+    std::vector<SlotImpulse> loaded;
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (!list.isUsed(slot)) continue;
@@ -181,8 +181,15 @@ std::vector<PairImpulse> collectImpulses(const ContactList& list)
         const ContactBlock& block = list.blocks[slot/blockLanes];
         const int wall = list.wall[slot];
         const int b = wall >= 0 ? -1 - wall : list.grainOf[block.b[slot % blockLanes]];
-        impulses.push_back({list.grainOf[block.a[slot % blockLanes]], b, r});
+        loaded.push_back({slot, {list.grainOf[block.a[slot % blockLanes]], b, r}});
     }
+    return loaded;
+}
+
+std::vector<PairImpulse> collectImpulses(const ContactList& list)
+{
+    std::vector<PairImpulse> impulses;
+    for (const SlotImpulse& entry : loadedSlots(list)) impulses.push_back(entry.pair);
     return impulses;
 }
 

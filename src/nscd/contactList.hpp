@@ -72,7 +72,15 @@ struct PairImpulse
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 ContactList buildContactList(const Scene& scene, const std::vector<double>& reach);
 
+/// A slot that carries an impulse.
+struct SlotImpulse
+{
+    std::size_t slot;
+    PairImpulse pair;
+};
+
 /// Impulses that are not zero, keyed by grain index.
+std::vector<SlotImpulse> loadedSlots(const ContactList& list);
 std::vector<PairImpulse> collectImpulses(const ContactList& list);
 
 /// Gives each candidate the impulse its pair had; of several images of a pair, the one best aligned with the impulse gets it.

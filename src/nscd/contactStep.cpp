@@ -190,11 +190,13 @@ bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, 
         const int lane = slot % blockLanes;
         const Vec3 n = normal(list, slot);
         const bool isLoaded = impulse(list, slot).dot(n) > 0.0;
+        const bool isClosed = isLoaded || list.gap[slot] <= deadBand;
         const double approach = -n.dot(Vec3(freeBodies[block.a[lane]].v) - Vec3(freeBodies[block.b[lane]].v));
-        const bool isRebounding = isLoaded && list.restitution[slot] > 0.0 && approach > threshold;
-        // Contacts that are neither loaded nor closed have no say in a shock: the next step's gap rule keeps them apart.
-        block.bias[lane] = isRebounding ? -list.restitution[slot]*approach
-                         : isLoaded || list.gap[slot] <= deadBand ? 0.0 : unreachable;
+        // Newton's law holds for closed contacts that part in the free motion too (u_n >= -e u_n^- < 0): only then does e = 1
+        // keep the energy, r.(u + u^-) = 0 contact by contact. What parts in truth has r = 0.
+        const bool isRebounding = isClosed && list.restitution[slot] > 0.0 && std::abs(approach) > threshold;
+        // Open contacts have no say in a shock: the next step's gap rule keeps them apart.
+        block.bias[lane] = isRebounding ? -list.restitution[slot]*approach : isClosed ? 0.0 : unreachable;
         anyRebound = anyRebound || isRebounding;
     }
     return anyRebound;

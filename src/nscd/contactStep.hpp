@@ -52,8 +52,8 @@ OverlapStatistics measureOverlap(const ContactList& list, double diameter);
 /// Returns the sweeps made: zero when no overlap exceeds `tolerance` [m].
 int correctOverlaps(ContactList& list, const Scene& scene, double tolerance, double deadBand);
 
-/// Second velocity solve of coupling.md: contacts that closed faster than the threshold leave with u_n = -e u_n^-.
-/// Sets the slots' bias for it; `freeBodies` are the velocities before contact. Returns whether any contact rebounds.
+/// Sets the bias of the second velocity solve: u_n + e u_n^- >= 0 for closed contacts whose free speed |u_n^-| exceeds the
+/// threshold, u_n >= 0 for the other closed ones. `freeBodies` are the velocities before contact. Returns whether any rebounds.
 bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, double threshold, double deadBand);
 
 } // namespace nscd

@@ -261,6 +261,17 @@ const std::vector<Vec3>& GrainDynamics::contactTorque() const { return self_->fo
 const std::vector<Vec3>& GrainDynamics::wallForce() const { return self_->forces.wall; }
 const StepTimes& GrainDynamics::times() const { return self_->times; }
 
+std::vector<LoadedContact> GrainDynamics::contacts() const
+{
+    const ContactList& list = self_->list;
+    std::vector<LoadedContact> loaded;
+    for (const SlotImpulse& entry : loadedSlots(list))
+    {
+        loaded.push_back({entry.pair.a, entry.pair.b, normal(list, entry.slot), list.gap[entry.slot], entry.pair.impulse});
+    }
+    return loaded;
+}
+
 std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
 {
     Implementation& self = *self_;

@@ -46,6 +46,16 @@ struct StoredImpulse
     Vec3 impulse;  ///< on A [N s], over the last step
 };
 
+/// A contact that carries an impulse, after a step. b < 0: wall region -1 - b.
+struct LoadedContact
+{
+    int a;         ///< index of a grain
+    int b;         ///< index of a grain
+    Vec3 normal;   ///< unit, from b to a, at the present positions
+    double gap;    ///< [m], at the present positions; negative: overlap
+    Vec3 impulse;  ///< on a [N s], of the motion of the last step
+};
+
 /// Rigid grains with unilateral frictional contact, advanced one step at a time.
 /// Use per step: beginStep(dt); optionally predict(forces); advance(forces).
 class GrainDynamics
@@ -82,6 +92,9 @@ public:
     const std::vector<Vec3>& contactTorque() const;
     /// Force of the grains on each wall patch over the last step [N].
     const std::vector<Vec3>& wallForce() const;
+
+    /// All contacts that carried an impulse in the last step; empty before the first one.
+    std::vector<LoadedContact> contacts() const;
 
     /// Impulses of all contacts that carry one. After this call the next step searches anew, as a restarted run does,
     /// so that a run that continues and one that restarts do the same to the bit.

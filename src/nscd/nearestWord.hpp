@@ -10,11 +10,11 @@
 namespace nscd
 {
 
-/// Number of letters to insert, drop, replace or swap with their neighbor to turn one word into the other; case costs nothing.
+/// Letters to insert, drop, replace or swap with their neighbor to turn one word into the other; case costs nothing.
 /// Equation: optimal string alignment distance (Damerau 1964)
 int editDistance(const std::string& a, const std::string& b);
 
-/// The candidate nearest to `word`, the first of equals; empty if none is near: more than a third of the longer word's letters differ.
+/// The candidate nearest to `word`, the first of equals; empty if more than a third of the longer word's letters differ.
 std::string nearestWord(const std::string& word, const std::vector<std::string>& candidates);
 
 } // namespace nscd

@@ -4,6 +4,7 @@
 // What a contact solve and a step report of themselves.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 namespace nscd
@@ -29,6 +30,23 @@ struct StepReport
     int correctionSweeps = 0;         ///< of the overlap correction
     double maxDisplacement = 0.0;     ///< of any grain in this step, in d
 };
+
+/// The report of several steps in a row as one: sums of sweeps, the worst of the rest; `count` steps with `next`.
+inline StepReport worstOf(const StepReport& before, const StepReport& next, int count)
+{
+    if (count == 1) return next;
+    StepReport worst = next;
+    worst.solve.sweeps += before.solve.sweeps;
+    worst.solve.converged = before.solve.converged && next.solve.converged;
+    worst.solve.residualRms = std::max(before.solve.residualRms, next.solve.residualRms);
+    worst.solve.residualMax = std::max(before.solve.residualMax, next.solve.residualMax);
+    worst.listRebuilt = before.listRebuilt || next.listRebuilt;
+    worst.overlapMax = std::max(before.overlapMax, next.overlapMax);
+    worst.overlapMean = std::max(before.overlapMean, next.overlapMean);
+    worst.correctionSweeps += before.correctionSweeps;
+    worst.maxDisplacement = std::max(before.maxDisplacement, next.maxDisplacement);
+    return worst;
+}
 
 /// Seconds spent so far in each part.
 struct StepTimes

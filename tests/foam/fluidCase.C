@@ -4,6 +4,8 @@
 
 #include "fluidCase.H"
 
+#include "fvcFlux.H"
+
 #include <sstream>
 
 namespace Foam
@@ -135,7 +137,7 @@ FluidCase::FluidCase(const FluidCaseSettings& settings)
     box_(withNumerics(settings)),
     sources_((writeCase(settings), box_.mesh()))
 {
-    messageStream::level = 0;
+    messageStream::level = getenv("LOUD") ? 2 : 0;
     sources_.hasGrains = true;
 }
 
@@ -143,6 +145,7 @@ FluidCase::FluidCase(const FluidCaseSettings& settings)
 void FluidCase::writeCase(const FluidCaseSettings& settings) const
 {
     std::ostringstream transport, gravity;
+    gravity.precision(17);
     transport << "transportModel Newtonian; nu " << settings.nu << "; rho " << settings.rho << ";";
     gravity << "dimensions [0 1 -2 0 0 0 0]; value (" << settings.gravity.x() << ' ' << settings.gravity.y() << ' '
         << settings.gravity.z() << ");";
@@ -175,6 +178,15 @@ FluidSolver& FluidCase::fluid()
 void FluidCase::setMeanFlow(const vector& target)
 {
     meanFlow_.set("target", target);
+}
+
+
+void FluidCase::setVelocity(const VectorFunction& u)
+{
+    fluid();
+    auto& U = mesh().lookupObjectRef<volVectorField>("U");
+    setCells(U, u);
+    mesh().lookupObjectRef<surfaceScalarField>("phi") = fvc::flux(sources_.alpha*U);
 }
 
 

@@ -27,17 +27,20 @@ WeightMatrix weightsOf(const fvMesh& mesh, const word& method, const ::nscd::Gra
     return mapping.weights();
 }
 
-// Shares of a ball in the cells of a mesh by sampling a fine grid around it.
+// Shares of a ball (or disc) in the cells of a mesh, by sampling it at n points of the additive recurrence of Roberts (2018).
 std::vector<scalar> sampledShares(const fvMesh& mesh, const point& center, const scalar radius, const label n, const bool isFlat)
 {
+    const scalar ratio = isFlat ? 1.32471795724474602596 : 1.22074408460575947536;
     std::vector<scalar> shares(mesh.nCells(), 0);
     label nInBall = 0;
-    for (label k = 0; k < (isFlat ? n*n : n*n*n); ++k)
+    for (label k = 0; k < n; ++k)
     {
-        const vector offset
-        (
-            2*radius*((k % n + 0.5)/n - 0.5), 2*radius*((k/n % n + 0.5)/n - 0.5), isFlat ? 0 : 2*radius*((k/n/n + 0.5)/n - 0.5)
-        );
+        vector offset(Zero);
+        for (direction axis = 0; axis < (isFlat ? 2 : 3); ++axis)
+        {
+            const scalar sequence = k*std::pow(ratio, -(axis + 1));
+            offset[axis] = 2*radius*(sequence - std::floor(sequence) - 0.5);
+        }
         if (magSqr(offset) > sqr(radius)) continue;
         ++nInBall;
         for (label cellI = 0; cellI < mesh.nCells(); ++cellI)
@@ -82,7 +85,7 @@ TEST(mappingWeights, sharesByTheWallAndOnAShakenMeshAgreeWithSampling)
     BoxMesh box(settings);
     for (const point& center : {point(1.4, 1.3, 1.7), point(0.3, 0.4, 0.2), point(2.2, 1.0, 1.1)})
     {
-        const std::vector<scalar> sampled = sampledShares(box.mesh(), center, 0.7, 60, false);
+        const std::vector<scalar> sampled = sampledShares(box.mesh(), center, 0.7, 300000, false);
         GrainMapping mapping(box.mesh(), mappingDict("exact"));
         const ::nscd::Grains grains = makeGrains({toVec3(center)}, 0.7);
         const scalar lost = mapping.update(grains, {}).lostOutside/grains.volume(0);
@@ -108,7 +111,7 @@ TEST(mappingWeights, sharesOfDiscsAgreeWithSampling)
         mapping.update(grains, {});
         for (label i = 0; i < 3; ++i)
         {
-            const std::vector<scalar> sampled = sampledShares(box.mesh(), toFoam(grains.position[i]), 0.8, 300, true);
+            const std::vector<scalar> sampled = sampledShares(box.mesh(), toFoam(grains.position[i]), 0.8, 100000, true);
             const scalar inside = std::accumulate(sampled.begin(), sampled.end(), 0.0);
             for (label cellI = 0; cellI < box.mesh().nCells(); ++cellI)
             {

@@ -7,6 +7,7 @@
 #include "grainSourceReader.H"
 #include "materialsReader.H"
 
+#include "contactSolver.hpp"
 #include "dragLaws.hpp"
 
 #include "Time.H"
@@ -78,12 +79,20 @@ void readPlanes(const CheckedDict& top, GrainProperties& properties)
 }
 
 
+Words solverWords()
+{
+    Words words;
+    for (const nscd::ContactSolverRow& row : nscd::contactSolvers()) words.push_back(row.name);
+    return words;
+}
+
+
 nscd::ContactSettings readContactSettings(const CheckedDict& top)
 {
     const dictionary dict = top.subOrEmpty("solver");
     const CheckedDict given(dict);
     nscd::ContactSettings s;
-    s.solver = given.choice("type", {"NLGS", "queue"}, s.solver);
+    s.solver = given.choice("type", solverWords(), s.solver);
     s.tolerance = given.number("tolerance", above(0), dimless, s.tolerance);
     s.displacementTolerance = given.number("displacementTolerance", above(0), dimless, s.displacementTolerance);
     s.maxSweeps = given.integer("maxSweeps", 1, s.maxSweeps);
@@ -104,6 +113,8 @@ VoidFractionSettings readVoidFraction(const CheckedDict& top)
     VoidFractionSettings settings;
     settings.method = given.choice("method", voidFractionMethods(), settings.method);
     settings.diffusion = given.number("diffusion", atLeast(0), dimless, settings.diffusion);
+    settings.minFluidFraction =
+        given.number("minFluidFraction", Range{0, 1, false, false}, dimless, settings.minFluidFraction);
     given.finish();
     return settings;
 }
@@ -169,6 +180,24 @@ const Words& voidFractionMethods()
 {
     static const Words methods = {"centroid", "satellite", "exact"};
     return methods;
+}
+
+
+dictionary VoidFractionSettings::forMapping(scalar meanDiameter) const
+{
+    dictionary dict("voidFraction");
+    dict.add("method", word(method));
+    dict.add("diffusionLength", diffusion*meanDiameter);
+    dict.add("minFluidFraction", minFluidFraction);
+    return dict;
+}
+
+
+dictionary GrainProperties::meanFlowDict() const
+{
+    dictionary dict("meanFlow");
+    if (holdsMeanFlow) dict.add("target", meanFlow);
+    return dict;
 }
 
 

@@ -78,7 +78,8 @@ void FluidSolver::solveWithGrains()
     (
         pimple_.firstIter() ? extrapolatedFlux(fields_.phi) : tmp<surfaceScalarField>(fields_.phi)
     );
-    tmp<fvVectorMatrix> momentum(averagedMomentum(fields_, sources_, turbulence_, convecting(), options_));
+    const tmp<fvVectorMatrix> minusDivTau(turbulence_.minusDivTau(fields_.U));
+    tmp<fvVectorMatrix> momentum(averagedMomentum(fields_, sources_, minusDivTau(), convecting(), options_));
     momentum.ref().relax();
     options_.constrain(momentum.ref());
 
@@ -93,6 +94,10 @@ void FluidSolver::solveWithGrains()
         pressure_.correctWithGrains(fields_, sources_.alpha, terms, borders, momentum(), rho());
         options_.correct(fields_.U);
     }
+
+    // With the operator that moved the fluid, so that fluid and grains share one stress to round-off.
+    fields_.divTau = -rho()*(minusDivTau() & fields_.U);
+    fields_.divTau.correctBoundaryConditions();
 }
 
 

@@ -7,7 +7,6 @@
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "fvcDiv.H"
 #include "fvcGrad.H"
-#include "fvcLaplacian.H"
 #include "fvcSnGrad.H"
 #include "fvmLaplacian.H"
 #include "laminarModel.H"
@@ -44,19 +43,8 @@ tmp<fvVectorMatrix> FluidTurbulence::minusDivTau(volVectorField& U) const
     const volScalarField nuEff("nuEff", model_->nuEff());
     return
     (
-      - fvc::div(nuEff*dev2(T(fvc::grad(U))), "div((nuEff*dev2(T(grad(U)))))")
+      - fvc::div(nuEff*dev2(T(fvc::grad((2*U.oldTime()-U.oldTime().oldTime())()))), "div((nuEff*dev2(T(grad(U)))))")
       - fvm::laplacian(nuEff, U, "laplacian(nuEff,U)")
-    );
-}
-
-
-tmp<volVectorField> FluidTurbulence::divTau(const volVectorField& U) const
-{
-    const volScalarField nuEff("nuEff", model_->nuEff());
-    return rho_*
-    (
-        fvc::laplacian(nuEff, U, "laplacian(nuEff,U)")
-      + fvc::div(nuEff*dev2(T(fvc::grad(U))), "div((nuEff*dev2(T(grad(U)))))")
     );
 }
 

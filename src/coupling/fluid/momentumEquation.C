@@ -28,7 +28,7 @@ tmp<fvVectorMatrix> averagedMomentum
 (
     FluidFields& fields,
     const GrainSources& sources,
-    const FluidTurbulence& turbulence,
+    const fvVectorMatrix& minusDivTau,
     const surfaceScalarField& convecting,
     fv::options& options
 )
@@ -39,7 +39,7 @@ tmp<fvVectorMatrix> averagedMomentum
     tmp<volScalarField> storage(fvc::div(convecting));
     if (!sources.isStatic) storage.ref() += fvc::ddt(alpha);
 
-    tmp<fvVectorMatrix> perFluidVolume(turbulence.minusDivTau(U) - options(U));
+    tmp<fvVectorMatrix> perFluidVolume(minusDivTau - options(U));
     perFluidVolume.ref() *= alpha();
 
     return fvm::ddt(alpha, U) + fvm::div(convecting, U, "div(phi,U)") - fvm::Sp(storage, U) + perFluidVolume;

@@ -1,112 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Ball and polyhedron, disc and polygon: known volumes, brute force, shares of a filled space, continuity.
-#include "sphereOverlap.hpp"
+// Ball and polyhedron: known volumes, brute force, shares of a filled space, continuity.
+#include "overlapShapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cfenv>
-#include <cmath>
-#include <random>
-#include <vector>
 
 namespace
 {
 
+using namespace overlapShapes;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
-
-const double pi = std::acos(-1.0);
-
-using Face = std::vector<Vector3d>;
-using Polyhedron = std::vector<Face>;
-
-Vector3d areaNormal(const Face& face)
-{
-    Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = 0; i < face.size(); ++i) sum += face[i].cross(face[(i + 1)%face.size()])/2;
-    return sum;
-}
-
-double overlap(const Polyhedron& cell, const Vector3d& center, double radius)
-{
-    double sum = 0;
-    for (const Face& face : cell)
-    {
-        sum += closures::ballFaceContribution(center, radius, face.data(), int(face.size()), areaNormal(face));
-    }
-    return sum;
-}
-
-double overlap(const std::vector<Vector2d>& polygon, const Vector2d& center, double radius)
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-    {
-        sum += closures::discEdgeContribution(center, radius, polygon[i], polygon[(i + 1)%polygon.size()]);
-    }
-    return sum;
-}
-
-double ballVolume(double radius)
-{
-    return 4*pi*radius*radius*radius/3;
-}
-
-/// Corners of a hexahedron by bits: 1 is x, 2 is y, 4 is z; quadrilaterals outward.
-const int hexFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-
-Polyhedron box(const Vector3d& low, const Vector3d& high)
-{
-    Polyhedron cell;
-    for (const auto& corners : hexFaces)
-    {
-        Face face;
-        for (int c : corners)
-        {
-            face.emplace_back(c & 1 ? high.x() : low.x(), c & 2 ? high.y() : low.y(), c & 4 ? high.z() : low.z());
-        }
-        cell.push_back(face);
-    }
-    return cell;
-}
-
-/// Hexahedron with any eight corners: every quadrilateral cut into triangles at the corner named by cutAt.
-template <class CutAt>
-Polyhedron hexOfTriangles(const std::array<Vector3d, 8>& p, CutAt cutAt)
-{
-    Polyhedron cell;
-    for (const auto& c : hexFaces)
-    {
-        const int s = cutAt(c);
-        for (int k : {1, 2}) cell.push_back({p[c[s]], p[c[(s + k)%4]], p[c[(s + k + 1)%4]]});
-    }
-    return cell;
-}
-
-Polyhedron tetrahedron(Vector3d a, Vector3d b, const Vector3d& c, const Vector3d& d)
-{
-    if ((b - a).cross(c - a).dot(d - a) < 0) std::swap(a, b);
-    return {{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}};
-}
-
-class RandomPoints
-{
-public:
-    explicit RandomPoints(unsigned seed) : generator_(seed) {}
-    double number(double low, double high) { return low + (high - low)*(generator_()/4294967296.0); }
-    Vector3d point(double low, double high)
-    {
-        const double x = number(low, high), y = number(low, high);
-        return {x, y, number(low, high)};
-    }
-
-private:
-    std::mt19937 generator_;
-};
 
 /// Length of the line (x, y, any z) inside both the ball and the polyhedron, by sorted crossings with its triangles.
 double lineOverlap(const Polyhedron& cell, const Vector3d& center, double radius, double x, double y)
@@ -366,70 +273,5 @@ TEST(SphereOverlap, footOnAnEdgeOrCornerOfTheFace)
                 overlap(tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), center + random.point(-1e-13, 1e-13), 0.4);
             EXPECT_NEAR(there, beside, 1e-12*ballVolume(0.4));
         }
-    }
-}
-
-TEST(DiscOverlap, circularSegmentQuarterAndWhole)
-{
-    const std::vector<Vector2d> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    EXPECT_NEAR(overlap(square, {0, 0}, 0.4), pi*0.16/4, 1e-15);
-    EXPECT_NEAR(overlap(square, {0.5, 0.5}, 0.4), pi*0.16, 1e-15);
-    EXPECT_NEAR(overlap(square, {0.5, 0.5}, 4.0), 1.0, 1e-14);
-    EXPECT_NEAR(overlap(square, {-3, 0.5}, 0.4), 0.0, 1e-15);
-    const double angle = 2*std::acos(0.5);
-    EXPECT_NEAR(overlap(square, {0.5, -0.2}, 0.4), 0.08*(angle - std::sin(angle)), 1e-15);
-}
-
-TEST(DiscOverlap, agreesWithCountedLinesOnStars)
-{
-    RandomPoints random(7);
-    for (int trial = 0; trial < 30; ++trial)
-    {
-        std::vector<Vector2d> polygon;
-        for (int i = 0; i < 7; ++i)
-        {
-            const double r = random.number(0.2, 1.0), angle = 2*pi*i/7;
-            polygon.emplace_back(r*std::cos(angle), r*std::sin(angle));
-        }
-        const Vector2d center(random.number(-0.6, 0.6), random.number(-0.6, 0.6));
-        const double radius = random.number(0.1, 0.9);
-        const int n = 20000;
-        double area = 0;
-        for (int k = 0; k < n; ++k)
-        {
-            const double x = center.x() - radius + 2*radius*(k + 0.5)/n;
-            const double half = std::sqrt(radius*radius - (x - center.x())*(x - center.x()));
-            for (std::size_t i = 0; i < polygon.size(); ++i)
-            {
-                const Vector2d a = polygon[i], b = polygon[(i + 1)%polygon.size()];
-                if ((a.x() <= x) == (b.x() <= x)) continue;
-                const double y = a.y() + (b.y() - a.y())*(x - a.x())/(b.x() - a.x());
-                const double height = std::min(std::max(y - center.y(), -half), half) + half;
-                area += (b.x() < a.x() ? 1 : -1)*height*2*radius/n;
-            }
-        }
-        EXPECT_NEAR(overlap(polygon, center, radius), area, 2e-5*pi*radius*radius) << trial;
-    }
-}
-
-TEST(DiscOverlap, sharesInAWarpedGridFillTheDisc)
-{
-    RandomPoints random(8);
-    const int n = 4;
-    std::array<std::array<Vector2d, n + 1>, n + 1> nodes;
-    for (int i = 0; i <= n; ++i) for (int j = 0; j <= n; ++j)
-    {
-        nodes[i][j] = Vector2d(i + random.number(-0.25, 0.25), j + random.number(-0.25, 0.25));
-    }
-    for (int trial = 0; trial < 100; ++trial)
-    {
-        const Vector2d center = trial == 0 ? nodes[2][2] : Vector2d(random.number(1.6, 2.4), random.number(1.6, 2.4));
-        const double radius = random.number(0.05, 1.2);
-        double sum = 0;
-        for (int i = 0; i < n; ++i) for (int j = 0; j < n; ++j)
-        {
-            sum += overlap({nodes[i][j], nodes[i + 1][j], nodes[i + 1][j + 1], nodes[i][j + 1]}, center, radius);
-        }
-        EXPECT_NEAR(sum, pi*radius*radius, 1e-13*pi*radius*radius) << trial;
     }
 }

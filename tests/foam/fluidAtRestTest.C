@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
-// Fluid between fixed grains: at rest over jumps of the fluid fraction (B01), through a contraction (B02), through a
-// porous slab, in a Brinkman channel (B03) and through uniform beds without drag (B08).
+// Still water in a closed box stays still over any jump of the fluid fraction, and its pressure is hydrostatic (B01).
 
 #include "fluidCase.H"
 
@@ -91,57 +90,6 @@ TEST(fluidAtRest, forgetsADisturbedPressure)
 {
     expectStillWater({"disturbed", jump, 0, 0, true});
     expectStillWater({"disturbed, random, drag", randomFraction, 1e4, 0, true});
-}
-
-// Water enters a tube at the left with a superficial velocity and leaves at zero pressure.
-FluidCaseSettings throughFlow(const label n, const scalar length, const scalar interstitial)
-{
-    FluidCaseSettings settings = tubeCase(n, length);
-    std::ostringstream in;
-    in << "uniform (" << interstitial << " 0 0)";
-    settings.U0 = in.str();
-    settings.borderU[0] = "type fixedValue; value " + in.str() + ";";
-    settings.borderU[1] = "type zeroGradient;";
-    settings.borderP[0] = "type fixedFluxPressure; value uniform 0;";
-    settings.borderP[1] = "type fixedValue; value uniform 0;";
-    return settings;
-}
-
-// Largest error of the pressure difference between the cell where alpha is 1 and the one where it is smallest.
-scalar contractionError(const label n, const char* convection)
-{
-    const scalar U = 0.2, rho = 1000;
-    FluidCaseSettings settings = tubeCase(n, 1);
-    settings.box.patchTypes[0] = settings.box.patchTypes[1] = "cyclic";
-    settings.nu = 0;
-    settings.convection = convection;
-    settings.box.deltaT = 0.2/n;
-    settings.U0 = "uniform (0.2 0 0)";
-    FluidCase contraction(settings);
-    contraction.setMeanFlow(vector(U, 0, 0));
-    const auto fraction = [](const point& x) { return 0.7 + 0.3*std::cos(2*constant::mathematical::pi*x.x()); };
-    setCells(contraction.sources().alpha, fraction);
-    contraction.steps(4*n);
-
-    const volScalarField& pRgh = contraction.fluid().pRgh();
-    const volVectorField& u = contraction.fluid().U();
-    scalar worst = 0;
-    const label middle = n/2;
-    const scalar exact = 0.5*rho*sqr(U)*
-        (1/sqr(fraction(contraction.mesh().C()[middle])) - 1/sqr(fraction(contraction.mesh().C()[0])));
-    worst = mag(pRgh[0] - pRgh[middle] - exact)/exact;
-    (void)u;
-    return worst;
-}
-
-TEST(fluidThroughContraction, hasBernoullisPressure)
-{
-    for (const char* scheme : {"Gauss linear", "Gauss limitedLinearV 1", "Gauss linearUpwind grad(U)"})
-    {
-        scalar e[3];
-        for (label k = 0; k < 3; ++k) e[k] = contractionError(32 << k, scheme);
-        std::cout << scheme << ": " << 100*e[0] << " " << 100*e[1] << " " << 100*e[2] << " %\n";
-    }
 }
 
 } // End anonymous namespace

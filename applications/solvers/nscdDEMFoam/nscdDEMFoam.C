@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// nscdDEMFoam: rigid grains with hard frictional contact in a volume-averaged incompressible fluid.
+#include "step/coupledRun.H"
+
+#include "argList.H"
+
+#include <stdexcept>
+
+namespace
+{
+
+void runCase(Foam::Time& time, Foam::fvMesh& mesh)
+{
+    Foam::nscdCoupling::CoupledRun run(time, mesh);
+    while (run.nextStep())
+    {
+        run.sampleFluid();
+        run.linearizeDrag();
+        run.solveFluid();
+        run.fluidForces();
+        run.advanceGrains();
+        run.depositGrains();
+        run.reportStep();
+    }
+    run.finish();
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    using namespace Foam;
+    argList::addNote("Rigid grains (non-smooth contact dynamics) in a volume-averaged incompressible fluid");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    try
+    {
+        runCase(runTime, mesh);
+    }
+    catch (const std::exception& error)
+    {
+        FatalErrorIn("nscdDEMFoam") << error.what() << exit(FatalError);
+    }
+    Info<< "End" << nl << endl;
+    return 0;
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What a run tells: log, report and written times.
+#include "step/coupledRun.H"
+
+#include "vectorConversion.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+label pressureIterations(const fvMesh& mesh)
+{
+    List<SolverPerformance<scalar>> solves;
+    if (!mesh.data::solverPerformanceDict().readIfPresent("p_rgh", solves)) return 0;
+    label sum = 0;
+    for (const auto& solve : solves) sum += solve.nIterations();
+    return sum;
+}
+
+} // namespace
+
+StepRow CoupledRun::describeStep() const
+{
+    const ::nscd::Grains& grains = dynamics_->grains();
+    const ::nscd::StepReport& report = step_.grainReport;
+    StepRow row;
+    row.time = time_.value();
+    row.deltaT = time_.deltaTValue();
+    row.grains = static_cast<std::int64_t>(grains.nOwned);
+    row.contacts = static_cast<std::int64_t>(report.solve.contacts);
+    row.sweeps = report.solve.sweeps;
+    row.converged = report.solve.converged;
+    row.residualRms = report.solve.residualRms;
+    row.residualMax = report.solve.residualMax;
+    row.overlapMax = report.overlapMax;
+    row.overlapMean = report.overlapMean;
+    row.correctionSweeps = report.correctionSweeps;
+    row.kineticEnergy = kineticEnergy(grains);
+    row.massCenter = toFoam(massCenter(grains));
+    for (const Vec3& force : dynamics_->wallForce()) row.wallForce += toFoam(force);
+    row.grainVolume = hasFluid() ? immersion_->mapping.report().volumeDeposited : totalVolume(grains);
+    row.momentumError = step_.momentumError;
+    row.exited = exited_;
+    row.courantMax = reach_.courant;
+    return row;
+}
+
+FluidSummary CoupledRun::describeFluid() const
+{
+    FluidSummary summary;
+    if (!hasFluid()) return summary;
+    const ::nscd::Grains& grains = dynamics_->grains();
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        if (i < step_.at.velocity.size())
+        {
+            summary.slipMax = max(summary.slipMax, (step_.at.velocity[i] - grains.velocity[i]).norm());
+        }
+        summary.fluidForce += toFoam(fluidForce_[i]);
+    }
+    summary.dragRatioMax = step_.drag.largestStiffness;
+    summary.predictorSweeps = step_.predictorSweeps;
+    summary.pressureIterations = pressureIterations(mesh_);
+    summary.continuityError = immersion_->fluid->continuityError().largest*time_.deltaTValue();
+    summary.fluidFractionMin = gMin(immersion_->sources.alpha.primitiveField());
+    const MappingReport& mapped = immersion_->mapping.report();
+    if (mapped.grainVolume > 0) summary.volumeError = mag(mapped.volumeDeposited - mapped.grainVolume)/mapped.grainVolume;
+    return summary;
+}
+
+void CoupledRun::reportStep()
+{
+    const auto timer = timing_.time(StepPart::reportStep);
+    const StepRow row = describeStep();
+    report_->write(row);
+    log_.step(row, describeFluid());
+    time_.write();
+    if (time_.writeTime()) write();
+}
+
+void CoupledRun::write()
+{
+    GrainState state;
+    state.numbers["exited"] = scalar(exited_);
+    state.contacts = dynamics_->checkpoint(state.numbers["lastDeltaT"]);
+    state.grains = dynamics_->grains();
+    state.extras.vectors[dragDebtField] = debt_;
+    state.extras.vectors[contactForceField] = lastContactForce_;
+    state.extras.vectors["fFluid"] = fluidForce_;
+    labelList cells(label(state.grains.nOwned), -1);
+    if (hasFluid() && hasGrains()) std::copy(immersion_->mapping.cells().begin(), immersion_->mapping.cells().end(), cells.begin());
+    writeGrainState(mesh_, state, properties_.materials.table, cells);
+}
+
+void CoupledRun::finish() const { log_.finish(timing_); }
+
+} // namespace nscdCoupling
+} // namespace Foam

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// How a run starts: from grainProperties, or from a written time.
+#include "step/coupledRun.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+scalar meanDiameter(const ::nscd::Grains& grains)
+{
+    scalar sum = 0;
+    for (double radius : grains.radius) sum += 2*radius;
+    return grains.size() > 0 ? sum/grains.size() : 0;
+}
+
+dictionary voidFractionDict(const VoidFractionSettings& settings, const ::nscd::Grains& grains)
+{
+    dictionary dict;
+    dict.add("method", word(settings.method));
+    dict.add("diffusionLength", settings.diffusion*meanDiameter(grains));
+    return dict;
+}
+
+dictionary meanFlowDict(const GrainProperties& properties)
+{
+    dictionary dict;
+    if (properties.holdsMeanFlow) dict.add("target", properties.meanFlow);
+    return dict;
+}
+
+bool areAllFixed(const ::nscd::Grains& grains)
+{
+    for (std::uint8_t isFixed : grains.isFixed)
+    {
+        if (!isFixed) return false;
+    }
+    return true;
+}
+
+ActiveForces activeForces(const ForceSettings& forces)
+{
+    return {forces.dragLaw != "none", forces.pressureGradient, forces.viscous};
+}
+
+} // namespace
+
+Immersion::Immersion(fvMesh& mesh, const dictionary& voidFraction)
+:
+    sources(mesh),
+    mapping(mesh, voidFraction)
+{}
+
+CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
+:
+    time_(time),
+    mesh_(mesh),
+    properties_(readGrainProperties(time)),
+    gravity_(readGravity(time)),
+    scene_(makeGrainScene(properties_, mesh, gravity_)),
+    active_(activeForces(properties_.forces)),
+    log_(time, Info, properties_.solvesFluid)
+{
+    startGrains();
+    if (properties_.solvesFluid) startFluid();
+    else if (scene_.roles.ofRole(PatchRole::exit).size() > 0) locations_ = std::make_unique<GrainLocations>(mesh);
+    report_ = std::make_unique<GrainReport>(time);
+}
+
+GrainState CoupledRun::readState() const
+{
+    RestartExpectation expected;
+    expected.vectors = {dragDebtField, contactForceField};
+    expected.nWallRegions = label(scene_.walls.regions.size());
+    return readGrainState(mesh_, properties_.materials, scene_.space.shape, expected);
+}
+
+void CoupledRun::startGrains()
+{
+    const bool isRestart = hasGrainState(mesh_);
+    GrainState state = isRestart ? readState() : GrainState{makeFirstGrains(properties_, scene_, mesh_), {}, {}, {}};
+    const std::size_t n = state.grains.size();
+    dynamics_ = std::make_unique<::nscd::GrainDynamics>
+    (
+        std::move(state.grains), properties_.materials.table, scene_.walls, scene_.box, properties_.contact
+    );
+    debt_.assign(n, Vec3::Zero());
+    lastContactForce_.assign(n, Vec3::Zero());
+    fluidForce_.assign(n, Vec3::Zero());
+    if (!isRestart) return;
+
+    debt_ = state.extras.vectors.at(dragDebtField);
+    lastContactForce_ = state.extras.vectors.at(contactForceField);
+    exited_ = static_cast<std::int64_t>(state.numbers.at("exited"));
+    dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
+}
+
+void CoupledRun::startFluid()
+{
+    const ::nscd::Grains& grains = dynamics_->grains();
+    immersion_ = std::make_unique<Immersion>(mesh_, voidFractionDict(properties_.voidFraction, grains));
+    GrainSources& sources = immersion_->sources;
+    sources.hasGrains = feedsBack();
+    sources.isStatic = hasGrains() && areAllFixed(grains);
+    sources.hasResponse = feedsBack() && !sources.isStatic;
+    if (hasGrains()) updateWeights();
+    immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, meanFlowDict(properties_));
+}
+
+DragModel CoupledRun::dragModel() const
+{
+    return
+    {
+        closures::findDragLaw(properties_.forces.dragLaw).law,
+        closures::findDragWeighting(properties_.forces.dragWeight),
+        immersion_->fluid->rho().value()
+    };
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

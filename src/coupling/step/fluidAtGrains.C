@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Sampling of the fluid at the grains.
+#include "step/fluidAtGrains.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+void sampleFluid
+(
+    const FluidSolver& fluid, const volScalarField* alpha, const GrainMapping& mapping, const ActiveForces& active,
+    FluidAtGrains& at
+)
+{
+    const std::size_t grains = mapping.cells().size();
+    std::vector<ScalarSample> scalars;
+    std::vector<VectorSample> vectors;
+    tmp<volScalarField> nu;
+    tmp<volVectorField> divTau;
+
+    vectors.push_back({fluid.U().primitiveField(), at.velocity});
+    if (active.drag)
+    {
+        nu = fluid.nu();
+        scalars.push_back({nu().primitiveField(), at.viscosity});
+        if (alpha) scalars.push_back({alpha->primitiveField(), at.fluidFraction});
+    }
+    if (active.pressureGradient) vectors.push_back({fluid.balancedPressureGradient().primitiveField(), at.pressureGradient});
+    if (active.viscous)
+    {
+        divTau = fluid.divTau();
+        vectors.push_back({divTau().primitiveField(), at.divTau});
+    }
+    mapping.sample(scalars, vectors);
+
+    if (active.drag && !alpha) at.fluidFraction.assign(grains, 1.0);
+    for (scalar& viscosity : at.viscosity) viscosity *= fluid.rho().value();
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

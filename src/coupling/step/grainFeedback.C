@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Spreading of drag and response.
+#include "step/grainFeedback.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+/// Amounts per grain whose spread fields are the sources.
+struct GrainAmounts
+{
+    std::vector<scalar> drag;
+    std::vector<Vec3> acceleration;
+    std::vector<scalar> pressure;
+    std::vector<Vec3> carried;
+    std::vector<scalar> slip;
+    std::vector<scalar> mobility;
+};
+
+GrainAmounts amountsOf
+(
+    const ::nscd::Grains& grains, const LinearDrag& drag, const GrainResponse& response, const std::vector<Vec3>& debt,
+    scalar fluidDensity, scalar deltaT
+)
+{
+    const std::size_t n = grains.nOwned;
+    GrainAmounts amounts;
+    amounts.drag.resize(n);
+    amounts.acceleration.resize(n);
+    amounts.carried.resize(n);
+    if (!response.isZero)
+    {
+        amounts.pressure.resize(n);
+        amounts.slip.resize(n);
+        amounts.mobility.resize(n);
+    }
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        amounts.drag[i] = (drag.implicit[i]*(1 - response.slip[i]) + drag.remainder[i])/fluidDensity;
+        amounts.acceleration[i] =
+            (drag.implicit[i]*response.intercept[i] + drag.remainder[i]*grains.velocity[i] + debt[i]/deltaT)/fluidDensity;
+        amounts.carried[i] = grains.volume(i)*response.intercept[i];
+        if (response.isZero) continue;
+        amounts.pressure[i] = drag.implicit[i]*response.mobility[i];
+        amounts.slip[i] = grains.volume(i)*response.slip[i];
+        amounts.mobility[i] = fluidDensity*grains.volume(i)*response.mobility[i];
+    }
+    return amounts;
+}
+
+} // namespace
+
+void handOver
+(
+    const ::nscd::Grains& grains, const LinearDrag& drag, const GrainResponse& response, const std::vector<Vec3>& debt,
+    const GrainMapping& mapping, scalar fluidDensity, scalar deltaT, GrainSources& sources
+)
+{
+    const GrainAmounts amounts = amountsOf(grains, drag, response, debt, fluidDensity, deltaT);
+    std::vector<ScalarSpread> scalars{{amounts.drag, sources.drag.primitiveFieldRef()}};
+    const std::vector<VectorSpread> vectors
+    {
+        {amounts.acceleration, sources.acceleration.primitiveFieldRef()},
+        {amounts.carried, sources.carried.primitiveFieldRef()}
+    };
+    if (!response.isZero)
+    {
+        scalars.push_back({amounts.pressure, sources.pressure.primitiveFieldRef()});
+        scalars.push_back({amounts.slip, sources.slip.primitiveFieldRef()});
+        scalars.push_back({amounts.mobility, sources.mobility.primitiveFieldRef()});
+    }
+    mapping.spread(scalars, vectors);
+    if (response.isZero)
+    {
+        for (volScalarField* field : {&sources.pressure, &sources.slip, &sources.mobility}) field->primitiveFieldRef() = 0;
+    }
+    sources.correctBoundaryConditions();
+}
+
+vector spreadForce(const GrainSources& sources, const FluidSolver& fluid)
+{
+    const scalarField& volume = fluid.U().mesh().V();
+    const vectorField& u = fluid.U().primitiveField();
+    const vectorField& gradient = fluid.balancedPressureGradient().primitiveField();
+    vector force = Zero;
+    forAll(volume, j)
+    {
+        force += volume[j]
+            *(fluid.rho().value()*(sources.acceleration[j] - sources.drag[j]*u[j]) - sources.pressure[j]*gradient[j]);
+    }
+    return force;
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

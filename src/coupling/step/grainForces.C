@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Weight, buoyancy, pressure gradient and viscous stress.
+#include "step/grainForces.H"
+
+#include "vectorConversion.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+std::vector<Vec3> steadyForces
+(
+    const ::nscd::Grains& grains, const FluidAtGrains& at, const ActiveForces& active, scalar fluidDensity, const vector& gravity
+)
+{
+    const Vec3 g = toVec3(gravity);
+    std::vector<Vec3> force(grains.size());
+    for (std::size_t i = 0; i < grains.size(); ++i) force[i] = (grains.mass[i] - fluidDensity*grains.volume(i))*g;
+    if (active.pressureGradient)
+    {
+        for (std::size_t i = 0; i < grains.size(); ++i) force[i] -= grains.volume(i)*at.pressureGradient[i];
+    }
+    if (active.viscous)
+    {
+        for (std::size_t i = 0; i < grains.size(); ++i) force[i] += grains.volume(i)*at.divTau[i];
+    }
+    return force;
+}
+
+scalar speedScale
+(
+    const ::nscd::Grains& grains, const FluidAtGrains& at, const std::vector<scalar>& implicitDrag,
+    const std::vector<scalar>& remainder, scalar fluidDensity, const vector& gravity, scalar deltaT
+)
+{
+    scalar weight2 = 0, pressure2 = 0, viscous2 = 0, drag2 = 0;
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        const scalar gamma = implicitDrag.empty() ? 0 : implicitDrag[i];
+        const scalar gain = deltaT/(grains.mass[i] + gamma*deltaT);
+        weight2 += sqr(gain*(grains.mass[i] - fluidDensity*grains.volume(i)))*magSqr(gravity);
+        if (!at.pressureGradient.empty()) pressure2 += sqr(gain*grains.volume(i))*at.pressureGradient[i].squaredNorm();
+        if (!at.divTau.empty()) viscous2 += sqr(gain*grains.volume(i))*at.divTau[i].squaredNorm();
+        if (!implicitDrag.empty())
+        {
+            drag2 += sqr(gain*(gamma + remainder[i]))*(at.velocity[i] - grains.velocity[i]).squaredNorm();
+        }
+    }
+    return Foam::sqrt(std::max({weight2, pressure2, viscous2, drag2})/std::max<std::size_t>(1, grains.nOwned));
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// A judge of contact solutions that shares no code with the solvers: the natural-map residual of all pairs and planes of a scene.
+#pragma once
+
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace scenes
+{
+
+struct NaturalMap
+{
+    double rms = 0.0;  ///< over contacts that carry an impulse [m/s]
+    double max = 0.0;  ///< over all pairs [m/s]
+    int loaded = 0;
+};
+
+/// What the judge sees: positions before the step, velocities after it, and the impulses in between.
+class Judge
+{
+public:
+    Judge(const Scene& scene, double friction, double deadBand, double deltaT)
+    :
+        scene_(scene), friction_(friction), deadBand_(deadBand), deltaT_(deltaT)
+    {}
+
+    NaturalMap operator()(const nscd::Grains& before, const nscd::GrainDynamics& after)
+    {
+        impulses_.clear();
+        for (const nscd::LoadedContact& c : after.contacts())
+        {
+            const bool isSwapped = c.b >= 0 && c.b < c.a;
+            impulses_[isSwapped ? std::pair(c.b, c.a) : std::pair(c.a, c.b)] = isSwapped ? Vec3(-c.impulse) : c.impulse;
+        }
+        sum2_ = 0.0;
+        result_ = NaturalMap();
+        for (int i = 0; i < static_cast<int>(before.size()); ++i)
+        {
+            for (int j = i + 1; j < static_cast<int>(before.size()); ++j) judgePair(before, after.grains(), i, j);
+            for (std::size_t w = 0; w < scene_.walls.regions.size(); ++w) judgePlane(before, after.grains(), i, static_cast<int>(w));
+        }
+        result_.rms = result_.loaded > 0 ? std::sqrt(sum2_/result_.loaded) : 0.0;
+        return result_;
+    }
+
+private:
+    void judgePair(const nscd::Grains& x, const nscd::Grains& v, int i, int j)
+    {
+        const Vec3 dx = scene_.box.nearestImage(x.position[i] - x.position[j]);
+        const double gap = dx.norm() - x.radius[i] - x.radius[j];
+        const Vec3 n = dx.normalized();
+        const Vec3 u = v.velocity[i] - v.velocity[j] - (x.radius[i]*v.omega[i] + x.radius[j]*v.omega[j]).cross(n);
+        const double kappa = x.shape.inertiaFactor();
+        const double wn = mobility(x, i) + mobility(x, j);
+        judge(n, gap, u, wn, wn*(1.0 + 1.0/kappa), {i, j});
+    }
+
+    void judgePlane(const nscd::Grains& x, const nscd::Grains& v, int i, int region)
+    {
+        const nscd::WallRegion& wall = scene_.walls.regions[region];
+        const double gap = wall.normal.dot(x.position[i] - wall.point) - x.radius[i];
+        const Vec3 u = v.velocity[i] - x.radius[i]*v.omega[i].cross(wall.normal);
+        const double wn = mobility(x, i);
+        judge(wall.normal, gap, u, wn, wn*(1.0 + 1.0/x.shape.inertiaFactor()), {i, -1 - region});
+    }
+
+    double mobility(const nscd::Grains& x, int i) const { return x.isFixed[i] ? 0.0 : 1.0/x.mass[i]; }
+
+    void judge(const Vec3& n, double gap, const Vec3& u, double wn, double wt, std::pair<int, int> key)
+    {
+        if (!(wn > 0.0)) return;
+        const auto found = impulses_.find(key);
+        const Vec3 r = found == impulses_.end() ? Vec3(Vec3::Zero()) : found->second;
+        const double bias = std::max(0.0, gap - deadBand_)/deltaT_;
+        const double rn = r.dot(n);
+        const Vec3 rt = r - rn*n;
+        const double normalDefect = wn*std::abs(rn - std::max(0.0, rn - (u.dot(n) + bias)/wn));
+        Vec3 q = rt - (u - u.dot(n)*n)/wt;
+        const double limit = friction_*std::max(0.0, rn);
+        if (q.norm() > limit) q *= limit/q.norm();
+        const double defect = std::hypot(normalDefect, wt*(rt - q).norm());
+        result_.max = std::max(result_.max, defect);
+        if (found == impulses_.end()) return;
+        ++result_.loaded;
+        sum2_ += defect*defect;
+    }
+
+    const Scene& scene_;
+    double friction_;
+    double deadBand_;
+    double deltaT_;
+    std::map<std::pair<int, int>, Vec3> impulses_;
+    NaturalMap result_;
+    double sum2_ = 0.0;
+};
+
+} // namespace scenes

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+// Errors and orders of the averaged fluid on manufactured solutions: M1 to M3 in time and space, Lethe's three steady
+// cases against Lethe's own errors at equal numbers of cells.
+
+#include "fluidCase.H"
+#include "manufacturedSources.H"
+
+#include "fixedValueFvPatchFields.H"
+
+#include <cstdio>
+#include <vector>
+
+using namespace Foam;
+using namespace Foam::nscdCoupling;
+using namespace Foam::nscdCoupling::testing;
+
+namespace
+{
+
+using Solution = ManufacturedPoint (*)(const ManufacturedFluid&, double, double, double);
+
+struct Manufactured
+{
+    const char* name;
+    Solution at;
+    ManufacturedFluid fluid;
+    bool isUnsteadyFraction = false;
+    bool hasWalls = false;         // [-1, 1]^2 with prescribed velocity; else periodic [0, 2 pi]^2
+    bool isStressFormD = false;    // source of the other stress form: must fail
+    const char* convection = "Gauss linear";
+    const char* ddt = "backward";
+    const char* pimple = "nOuterCorrectors 3; nCorrectors 2; momentumPredictor yes; pRefCell 0; pRefValue 0;";
+};
+
+struct Errors { scalar u = 0, p = 0; };
+
+bool isFailed = false;
+
+void require(const bool condition, const char* what)
+{
+    if (condition) return;
+    isFailed = true;
+    std::printf("      FAILED: %s\n", what);
+}
+
+
+class ManufacturedRun
+{
+public:
+
+    ManufacturedRun(const Manufactured& solution, const label n)
+    :
+        solution_(solution),
+        flow_(settings(solution, n))
+    {
+        if (solution.hasWalls) prescribeOnPatches(flow_.sources());
+        setFraction();
+        flow_.fluid();
+        flow_.setVelocity([this](const point& x) { return velocity(x); });
+    }
+
+    void advance(const label nSteps)
+    {
+        flow_.steps(nSteps, [this] { setSources(); });
+    }
+
+    /// RMS over the domain; the pressure's mean is not determined.
+    Errors errors()
+    {
+        const volScalarField& pRgh = flow_.fluid().pRgh();
+        const scalarField& V = flow_.mesh().V();
+        scalar mean = 0;
+        forAll(pRgh, i) mean += V[i]*(pRgh[i] - at(flow_.mesh().C()[i]).p)/gSum(V);
+        return Errors
+        {
+            l2Error(flow_.fluid().U(), [this](const point& x) { return velocity(x); }),
+            l2Error(pRgh, [&](const point& x) { return at(x).p + mean; })
+        };
+    }
+
+private:
+
+    static FluidCaseSettings settings(const Manufactured& solution, const label n)
+    {
+        const scalar size = solution.hasWalls ? 2 : 2*constant::mathematical::pi;
+        FluidCaseSettings settings = planeCase(n, n, size, size);
+        if (solution.hasWalls)
+        {
+            settings.box.min = point(-1, -1, 0);
+            settings.box.max = point(1, 1, size/n);
+            for (label side = 0; side < 4; ++side)
+            {
+                settings.borderU[side] = "type fixedValue; value uniform (0 0 0);";
+                settings.borderP[side] = "type fixedFluxPressure; value uniform 0;";
+            }
+        }
+        else settings.box.patchTypes = {"cyclic", "cyclic", "cyclic", "cyclic", "empty", "empty"};
+        settings.rho = solution.fluid.rho;
+        settings.nu = solution.fluid.mu/solution.fluid.rho;
+        settings.box.deltaT = size/n/4;
+        settings.ddt = solution.ddt;
+        settings.convection = solution.convection;
+        settings.pimple = solution.pimple;
+        settings.tolerance = 1e-9;
+        return settings;
+    }
+
+    /// Fluid fraction and source of a manufactured solution are known at the walls, not only in the cells beside them.
+    static void prescribeOnPatches(GrainSources& sources)
+    {
+        for (label side = 0; side < 4; ++side)
+        {
+            const fvPatch& patch = sources.alpha.mesh().boundary()[side];
+            sources.alpha.boundaryFieldRef().set(side, new fixedValueFvPatchScalarField(patch, sources.alpha));
+            sources.acceleration.boundaryFieldRef().set
+            (
+                side, new fixedValueFvPatchVectorField(patch, sources.acceleration)
+            );
+        }
+    }
+
+    ManufacturedPoint at(const point& x) const
+    {
+        return solution_.at(solution_.fluid, x.x(), x.y(), flow_.time().value());
+    }
+
+    vector velocity(const point& x) const
+    {
+        const ManufacturedPoint m = at(x);
+        return vector(m.U[0], m.U[1], 0)/m.alpha;
+    }
+
+    void setFraction()
+    {
+        setCells(flow_.sources().alpha, [this](const point& x) { return at(x).alpha; });
+    }
+
+    void setSources()
+    {
+        const ManufacturedFluid& fluid = solution_.fluid;
+        GrainSources& sources = flow_.sources();
+        setFraction();
+        setCells(sources.drag, [&](const point&) { return fluid.beta/fluid.rho; });
+        setCells
+        (
+            sources.acceleration,
+            [&](const point& x)
+            {
+                const ManufacturedPoint m = at(x);
+                const double* s = solution_.isStressFormD ? m.sourceD : m.sourceS;
+                return vector(s[0], s[1], 0)/fluid.rho;
+            }
+        );
+        if (!solution_.isUnsteadyFraction) return;
+
+        // The wave of grains moves at 1/2 along x; drag towards them is in the source.
+        sources.hasResponse = true;
+        setCells(sources.carried, [this](const point& x) { return vector(0.5*(1 - at(x).alpha), 0, 0); });
+    }
+
+    const Manufactured solution_;
+    mutable FluidCase flow_;
+};
+
+
+Errors errorsAfter(const Manufactured& solution, const label n, const label nSteps)
+{
+    ManufacturedRun run(solution, n);
+    run.advance(nSteps);
+    return run.errors();
+}
+
+
+scalar order(const scalar coarse, const scalar fine)
+{
+    return std::log2(coarse/fine);
+}
+
+
+// Errors at t = 0.98 on 16, 32 and 64 cells, dt = h/4.
+std::vector<Errors> refine(const Manufactured& solution)
+{
+    std::vector<Errors> errors;
+    std::printf("%s\n", solution.name);
+    for (label level = 0; level < 3; ++level)
+    {
+        errors.push_back(errorsAfter(solution, 16 << level, 10 << level));
+        const Errors& e = errors.back();
+        std::printf("   %3d  u %.3e", 16 << level, e.u);
+        if (level) std::printf(" (%.2f)", order(errors[level - 1].u, e.u));
+        std::printf("  p %.3e", e.p);
+        if (level) std::printf(" (%.2f)", order(errors[level - 1].p, e.p));
+        std::printf("\n");
+    }
+    return errors;
+}
+
+
+void requireOrders(const Manufactured& solution, const scalar u, const scalar p)
+{
+    const auto errors = refine(solution);
+    require(order(errors[1].u, errors[2].u) >= u, "order of u");
+    require(order(errors[1].p, errors[2].p) >= p, "order of p");
+}
+
+
+void checkOrders()
+{
+    const ManufacturedFluid viscous{1.3, 0.07, 2.1}, sharp{1.3, 1e-4, 2.1}, free{1.3, 0.07, 0}, stiff{1.3, 0.07, 2.1e4};
+    requireOrders({"M1 Taylor-Green over bumps", taylorGreen, viscous}, 1.9, 1.5);
+    requireOrders({"M2 traveling wave of the fluid fraction", travelingWave, viscous, true}, 1.9, 1.5);
+    requireOrders({"M3 sharp bed edges", sharpBed, viscous}, 1.9, 1.5);
+    requireOrders({"M1, mu 1e-4", taylorGreen, sharp}, 1.9, 1.5);
+    requireOrders({"M1, no drag", taylorGreen, free}, 1.9, 1.5);
+    requireOrders({"M1, beta 2.1e4", taylorGreen, stiff}, 1.9, 1.5);
+    requireOrders({"M2, beta 2.1e4", travelingWave, stiff, true}, 1.9, 1.5);
+    requireOrders({"M3, beta 2.1e4", sharpBed, stiff}, 1.9, 1.5);
+
+    Manufactured quick{"M1, one outer iteration", taylorGreen, viscous};
+    quick.pimple = "nOuterCorrectors 1; nCorrectors 2; momentumPredictor yes; pRefCell 0; pRefValue 0;";
+    requireOrders(quick, 1.9, 1.5);
+}
+
+
+void checkThatStressFormsDiffer()
+{
+    Manufactured other{"M1 with the source of div(alpha tau): must not converge", taylorGreen, {1.3, 0.07, 2.1}};
+    other.isStressFormD = true;
+    const auto errors = refine(other);
+    require(order(errors[1].u, errors[2].u) < 1, "the test cannot tell the stress forms apart");
+}
+
+
+// L2 over [-1, 1]^2 as Lethe states it: its area is 4, so twice the RMS.
+void checkAgainstLethe()
+{
+    struct Case { const char* name; Solution at; scalar u[3], p[3]; };
+    const Case cases[] = {
+        {"Lethe case 0", steadyVortex, {3.790e-2, 1.010e-2, 2.595e-3}, {0.338, 0.120, 0.0397}},
+        {"Lethe case 1", vortexInHills, {7.471e-2, 1.992e-2, 5.120e-3}, {0.691, 0.244, 0.0803}},
+        {"Lethe case 2", uniformFlux, {4.581e-2, 1.205e-2, 3.052e-3}, {0.388, 0.104, 0.0265}}};
+    for (const Case& lethe : cases)
+    {
+        Manufactured steady{lethe.name, lethe.at, {1, 1, 0}};
+        steady.hasWalls = true;
+        steady.ddt = "Euler";
+        steady.pimple = "nOuterCorrectors 1; nCorrectors 3; momentumPredictor yes; pRefCell 0; pRefValue 0;";
+        std::printf("%s: errors / Lethe's\n", lethe.name);
+        Errors last;
+        for (label level = 0; level < 3; ++level)
+        {
+            const label n = 16 << level;
+            Errors e = errorsAfter(steady, n, 4*n);
+            e.u *= 2;
+            e.p *= 2;
+            std::printf("   %3d  u %.3e / %.3e = %.2f", n, e.u, lethe.u[level], e.u/lethe.u[level]);
+            std::printf("  p %.3e / %.3e = %.2f", e.p, lethe.p[level], e.p/lethe.p[level]);
+            if (level) std::printf("  orders %.2f %.2f", order(last.u, e.u), order(last.p, e.p));
+            std::printf("\n");
+            require(e.u < lethe.u[level] && e.p < lethe.p[level], "errors below Lethe's");
+            require(!level || (order(last.u, e.u) > 1.9 && order(last.p, e.p) > 1.5), "orders");
+            last = e;
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+int main(int argc, char**)
+{
+    if (argc < 2)
+    checkOrders();
+    checkThatStressFormsDiffer();
+    checkAgainstLethe();
+    return isFailed;
+}
