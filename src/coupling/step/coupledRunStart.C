@@ -43,8 +43,9 @@ bool areAllFixed(const ::nscd::Grains& grains)
     return true;
 }
 
-ActiveForces activeForces(const ForceSettings& forces)
+ActiveForces activeForces(const ForceSettings& forces, bool hasFluid)
 {
+    if (!hasFluid) return {false, false, false};
     return {forces.dragLaw != "none", forces.pressureGradient, forces.viscous};
 }
 
@@ -63,7 +64,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     properties_(readGrainProperties(time)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
-    active_(activeForces(properties_.forces)),
+    active_(activeForces(properties_.forces, properties_.solvesFluid)),
     log_(time, Info, properties_.solvesFluid)
 {
     startGrains();
