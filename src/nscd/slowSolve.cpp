@@ -4,7 +4,7 @@
 // Anderson mixing with a safeguard, and a queue for the last bad contacts.
 #include "slowSolve.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 namespace nscd
 {
@@ -15,6 +15,9 @@ namespace
 // Measured on solves of landing and settling beds that take plain sweeps 200 to 2000: depth and interval of the mixing matter
 // little (2 to 5, 2 to 4); without the queue one solve in twenty goes to the cap, with it none did.
 constexpr int patience = 10;
+/// A solve whose defect shrinks faster than this a sweep needs no mixing. Mixing overshoots, and where friction makes impulses
+/// indeterminate an overshoot stays as self-stress: small scenes are better off without.
+constexpr double fastContraction = 0.93;
 constexpr int sweepsPerMixing = 3;
 /// A mixing after which the sum of squared defects grows by more than this is taken back.
 constexpr double growthAllowed = 4.0;
@@ -27,10 +30,9 @@ constexpr std::size_t sweepsPerQueue = 20;
 
 int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule)
 {
-    if (sweeps < patience) return 0;
     if (!anderson_)
     {
-        start();
+        if (sweeps % patience == 0 && isSlow(sums)) start();
         return 0;
     }
     ++sinceMixing_;
@@ -42,6 +44,13 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
     if (isLocal(sweeps, sums, rule)) return solveLocally(sweeps, rule);
     if (sinceMixing_ >= sweepsPerMixing) mix(sums);
     return 0;
+}
+
+bool SlowSolve::isSlow(const DefectSums& sums)
+{
+    const bool isSlow = sums.sumSquares > std::pow(fastContraction, 2*patience)*squaresBefore_;
+    squaresBefore_ = sums.sumSquares;
+    return isSlow;
 }
 
 void SlowSolve::start()

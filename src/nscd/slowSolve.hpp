@@ -7,6 +7,7 @@
 #include "andersonAcceleration.hpp"
 #include "contactQueue.hpp"
 
+#include <limits>
 #include <memory>
 
 namespace nscd
@@ -26,6 +27,7 @@ public:
 private:
     bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const;
     int solveLocally(int sweeps, const StopRule& rule);
+    bool isSlow(const DefectSums& sums);
     void start();
     void mix(const DefectSums& sums);
     void revert();
@@ -37,7 +39,7 @@ private:
     int sinceMixing_ = 0;
     int lastLocal_ = 0;
     bool isMixed_ = false;
-    double squaresBefore_ = 0.0;
+    double squaresBefore_ = std::numeric_limits<double>::max();
 };
 
 } // namespace nscd
