@@ -112,7 +112,7 @@ private:
     std::unique_ptr<AndersonAcceleration> mixing_;
     Eigen::VectorXd start_;
     int sinceMixing_ = 0;
-    double bestSquares_ = std::numeric_limits<double>::max();
+    double bestSquares_ = 0.1*std::numeric_limits<double>::max();  // four times it must not overflow
 };
 
 } // namespace
