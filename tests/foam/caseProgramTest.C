@@ -62,7 +62,7 @@ TEST(Program, stopsAtTimeControlsThatAreNotPositive)
 {
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "deltaT 0;"), {"system/controlDict", "deltaT"}));
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "deltaT -1e-3;"), {"system/controlDict", "deltaT"}));
-    EXPECT_TRUE(isRefused(ProgramCase(Files(), "writeControl runTime; writeInterval 0;"), {"controlDict", "writeInterval"}));
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), "writeControl runTime; writeInterval -1;"), {"controlDict", "writeInterval"}));
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "adjustTimeStep yes; maxDeltaT -1;"), {"controlDict", "maxDeltaT"}));
 }
 
