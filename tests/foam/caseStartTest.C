@@ -13,6 +13,7 @@
 #include "OSspecific.H"
 #include "mathematicalConstants.H"
 
+#include <cmath>
 #include <fstream>
 #include <random>
 
@@ -172,6 +173,27 @@ TEST(BadStart, filesThatAreMissingOrTruncatedOrWrong)
     EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 -0.01"), {"diameter", "not positive", "line 1"}));
     EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 0.01 glas"), {"material", "value:   glas", "nearest: glass", "line 1"}));
     EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 0.01 glass 7"), {"five columns"}));
+}
+
+TEST(BadStart, binaryFilesThatAreTruncatedOrHoldNoNumbers)
+{
+    Case c;
+    const fileName path = c.box.casePath()/"constant/positions";
+    const auto about = [&](const List<vector>& positions, std::size_t cut)
+    {
+        mkDir(path.path());
+        {
+            OFstream os(path, IOstream::BINARY);
+            os << "FoamFile { version 2.0; format binary; class vectorField; object positions; }" << nl << positions;
+        }
+        std::ifstream whole(path);
+        const std::string contents((std::istreambuf_iterator<char>(whole)), std::istreambuf_iterator<char>());
+        std::ofstream(path) << contents.substr(0, contents.size() - cut);
+        return c.complaintAbout(start + "grains { type positionsFile; file positions; diameter 0.01; }");
+    };
+    const List<vector> positions(100, vector(0.5, 0.5, 0.5));
+    EXPECT_TRUE(holds(about(positions, 300), {"constant/positions"}));
+    EXPECT_TRUE(holds(about(List<vector>(1, vector(0.5, std::nan(""), 0.5)), 0), {"constant/positions", "finite number"}));
 }
 
 TEST(BadStart, grainsOutsideTheMesh)

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Asking for every scheme and solver once.
+// Asking for every field, scheme and solver once.
 #include "numericsCheck.H"
+#include "dictionaryCheck.H"
 #include "inputError.H"
 
 #include "convectionScheme.H"
 #include "ddtScheme.H"
+#include "dimensionSets.H"
 #include "divScheme.H"
 #include "gradScheme.H"
 #include "laplacianScheme.H"
 #include "lduMatrix.H"
+#include "IFstream.H"
+#include "IOdictionary.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -21,6 +25,33 @@ namespace nscdCoupling
 
 namespace
 {
+
+/// First line of a file that starts with a word; for field files, which may be binary behind that line.
+InputPlace placeOfLine(const fileName& file, const word& start)
+{
+    InputPlace place = placeInFile(file, start);
+    IFstream is(file);
+    string line;
+    for (label lineNumber = 1; is.getLine(line).good(); ++lineNumber)
+    {
+        if (line.compare(0, start.size(), start) != 0) continue;
+        place.firstLine = place.lastLine = lineNumber;
+        break;
+    }
+    return place;
+}
+
+template<class Field>
+void checkDimensions(const fvMesh& mesh, const word& name, const dimensionSet& dimensions, const string& unit)
+{
+    const Field field(IOobject(name, mesh.time().timeName(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false), mesh);
+    if (field.dimensions() == dimensions) return;
+    fail
+    ({
+        placeOfLine(field.objectPath(), "dimensions"), "are wrong for " + name, messageText(field.dimensions()),
+        messageText(dimensions, ": ", name, " is in ", unit.c_str())
+    });
+}
 
 void checkTimeScheme(const fvMesh& mesh, const word& name)
 {
@@ -74,6 +105,25 @@ void checkSolvers(const fvMesh& mesh)
 }
 
 } // namespace
+
+
+void checkFieldDimensions(const fvMesh& mesh)
+{
+    checkDimensions<volVectorField>(mesh, "U", dimVelocity, "m/s");
+    checkDimensions<volScalarField>(mesh, "p_rgh", dimPressure, "Pa");
+}
+
+
+void checkTransportProperties(const Time& time)
+{
+    const IOdictionary dict
+    (
+        IOobject("transportProperties", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
+    );
+    const CheckedDict given(dict);
+    given.number("rho", above(0), dimDensity);
+    if (given.found("nu")) given.number("nu", above(0), dimViscosity);
+}
 
 
 void checkNumerics(const surfaceScalarField& phi, bool hasGrains)

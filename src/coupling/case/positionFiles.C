@@ -80,6 +80,11 @@ std::vector<vector> readBinary(IFstream& is, const token& count)
 {
     is.putBack(count);
     const List<vector> positions(is);
+    for (const vector& x : positions)
+    {
+        const bool isFinite = std::isfinite(x.x()) && std::isfinite(x.y()) && std::isfinite(x.z());
+        if (!isFinite) failAt(is, "holds a position whose coordinate is not a finite number", messageText(x));
+    }
     return std::vector<vector>(positions.begin(), positions.end());
 }
 

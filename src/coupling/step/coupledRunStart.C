@@ -97,6 +97,8 @@ void CoupledRun::startFluid()
     sources.isStatic = hasGrains() && areAllFixed(grains);
     sources.hasResponse = feedsBack() && !sources.isStatic;
     if (hasGrains()) updateWeights();
+    checkFieldDimensions(mesh_);
+    checkTransportProperties(time_);
     immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());
     checkNumerics(immersion_->fluid->phi(), sources.hasGrains);
 }
