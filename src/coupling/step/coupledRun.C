@@ -137,7 +137,7 @@ void CoupledRun::advanceGrains()
     step_.grainReport = ::nscd::StepReport();
     for (label cycle = 0; cycle < subCycles; ++cycle)
     {
-        const LinearDrag drag = subCycles == 1 || step_.drag.implicit.empty()
+        const LinearDrag drag = subCycles == 1 || !active_.drag
             ? step_.drag : splitAgain(dynamics_->grains(), step_.drag, dragModel().weighting, deltaT);
         step_.grainReport = worstOf(step_.grainReport, advanceOnce(drag, deltaT), cycle + 1);
     }

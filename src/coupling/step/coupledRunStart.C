@@ -4,6 +4,8 @@
 // How a run starts: from grainProperties, or from a written time.
 #include "step/coupledRun.H"
 
+#include "case/numericsCheck.H"
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -17,21 +19,6 @@ scalar meanDiameter(const ::nscd::Grains& grains)
     scalar sum = 0;
     for (double radius : grains.radius) sum += 2*radius;
     return grains.size() > 0 ? sum/grains.size() : 0;
-}
-
-dictionary voidFractionDict(const VoidFractionSettings& settings, const ::nscd::Grains& grains)
-{
-    dictionary dict;
-    dict.add("method", word(settings.method));
-    dict.add("diffusionLength", settings.diffusion*meanDiameter(grains));
-    return dict;
-}
-
-dictionary meanFlowDict(const GrainProperties& properties)
-{
-    dictionary dict;
-    if (properties.holdsMeanFlow) dict.add("target", properties.meanFlow);
-    return dict;
 }
 
 bool areAllFixed(const ::nscd::Grains& grains)
@@ -104,13 +91,16 @@ void CoupledRun::startGrains()
 void CoupledRun::startFluid()
 {
     const ::nscd::Grains& grains = dynamics_->grains();
-    immersion_ = std::make_unique<Immersion>(mesh_, voidFractionDict(properties_.voidFraction, grains));
+    immersion_ = std::make_unique<Immersion>(mesh_, properties_.voidFraction.forMapping(meanDiameter(grains)));
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
     sources.isStatic = hasGrains() && areAllFixed(grains);
     sources.hasResponse = feedsBack() && !sources.isStatic;
     if (hasGrains()) updateWeights();
-    immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, meanFlowDict(properties_));
+    checkFieldDimensions(mesh_);
+    checkTransportProperties(time_);
+    immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());
+    checkNumerics(immersion_->fluid->phi(), sources.hasGrains);
 }
 
 DragModel CoupledRun::dragModel() const
