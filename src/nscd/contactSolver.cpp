@@ -12,9 +12,19 @@
 namespace nscd
 {
 
-bool StopRule::isMet(const DefectSums& sums) const
+namespace
 {
-    return sums.sumSquares <= rmsLimit*rmsLimit*std::max(1.0, sums.active) && sums.maxSquare <= maxLimit*maxLimit;
+
+/// Limits of a polished solution per unit of motion, and at least: a step then takes about a decade off the noise.
+constexpr double polishPerMotion = 10.0;
+constexpr double finestPolish = 1e-2;
+
+} // namespace
+
+bool StopRule::isWithin(const DefectSums& sums, double factor) const
+{
+    const double rms2 = factor*rmsLimit*factor*rmsLimit, max2 = factor*maxLimit*factor*maxLimit;
+    return sums.sumSquares <= rms2*std::max(1.0, sums.active) && sums.maxSquare <= max2;
 }
 
 double rms(const DefectSums& sums) { return std::sqrt(sums.sumSquares/std::max(1.0, sums.active)); }
@@ -23,7 +33,8 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
 {
     const double lengthRate = problem.diameter/problem.deltaT;
     const double speed = std::max({problem.speedScale, 1e-3*rms(first), 1e-3*settings.deadBand*lengthRate});
-    return {settings.tolerance*speed, settings.displacementTolerance*lengthRate, speed};
+    const double polish = std::min(1.0, std::max(finestPolish, polishPerMotion*problem.motion));
+    return {settings.tolerance*speed, settings.displacementTolerance*lengthRate, speed, polish};
 }
 
 DefectSums residual(const ContactProblem& problem)

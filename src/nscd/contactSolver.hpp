@@ -25,17 +25,26 @@ struct ContactProblem
     double deltaT;        ///< [s]
     double speedScale;    ///< from the forces of the step [m/s]
     double diameter;      ///< mean d [m]
+    /// Mean over the grains of min(1, speed/speedScale) before the step: 1 in a flow, small in a bed at rest.
+    double motion = 1.0;
 };
 
 /// Stop rule, absolute (grains.md sections 2 and 9): rms defect <= tolerance vs and largest defect dt <= displacementTolerance d, with
 /// vs = max(speed scale of the forces, 1e-3 rms defect of the first pass, 1e-3 dead band/dt).
+/// What the rule leaves of defects is the noise of a bed at rest: grains keep moving by it, contacts leave the dead band, and the
+/// bed creeps. So a bed that hardly moves is polished: limits shrink with its motion, down to a hundredth, for some more sweeps.
 struct StopRule
 {
     double rmsLimit;
     double maxLimit;
     double speedScale;
+    double polish;       ///< factor of both limits for a polished solution
 
-    bool isMet(const DefectSums& sums) const;
+    bool isMet(const DefectSums& sums) const { return isWithin(sums, 1.0); }
+    bool isPolished(const DefectSums& sums) const { return isWithin(sums, polish); }
+
+private:
+    bool isWithin(const DefectSums& sums, double factor) const;
 };
 
 /// `first` are the defects of the first pass: the approach speeds the solve has to deal with.

@@ -72,6 +72,7 @@ struct GrainDynamics::Implementation
     void clearForces();
     void rebuildList(const std::vector<Vec3>& velocity);
     SolveReport solveVelocities(const ExternalForces& external);
+    double measureMotion(double speedScale) const;
     SolveReport solveOnce(const ExternalForces& external);
     void rebound(const ExternalForces& external, SolveReport& report);
     void correctPositions(StepReport& report);
@@ -107,6 +108,14 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     isListStale = false;
 }
 
+double GrainDynamics::Implementation::measureMotion(double speedScale) const
+{
+    if (!(speedScale > 0.0) || grains.size() == 0) return 1.0;
+    double sum = 0.0;
+    for (const Vec3& v : grains.velocity) sum += std::min(1.0, v.norm()/speedScale);
+    return sum/grains.size();
+}
+
 SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external)
 {
     {
@@ -117,6 +126,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     }
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem{list.bodies, list.blocks, kernels, isFrictional, deltaT, external.speedScale, diameter};
+    problem.motion = measureMotion(external.speedScale);
     return solve(problem, settings);
 }
 

@@ -18,13 +18,16 @@ SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings)
 
     const SweepFunction sweep = problem.isFrictional ? problem.kernels.sweep : problem.kernels.sweepFrictionless;
     StopRule rule{};
+    int polishing = 0;
     SlowSolve slowSolve(problem);
     while (report.sweeps < settings.maxSweeps)
     {
         const DefectSums sums = sweep(problem.bodies.data(), problem.blocks.data(), problem.blocks.size());
         if (!std::isfinite(sums.sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
         if (++report.sweeps == 1) rule = makeStopRule(problem, settings, sums);
-        if (rule.isMet(sums))
+        const bool isFineEnough = rule.isPolished(sums) || polishing == settings.polishSweeps;
+        if (rule.isMet(sums) && !isFineEnough) ++polishing;
+        else if (rule.isMet(sums))
         {
             reportResidual(report, rule, residual(problem));
             if (report.converged) return report;

@@ -28,6 +28,11 @@ SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings)
         threshold *= 0.5;
     }
     while (!report.converged && visits < maxVisits);
+    if (report.converged && rule.polish < 1.0)
+    {
+        visits += queue.work(queue.slots(), rule.polish*threshold, used*static_cast<std::size_t>(settings.polishSweeps));
+        reportResidual(report, rule, residual(problem));
+    }
     report.sweeps = static_cast<int>((visits + used - 1)/used);
     return report;
 }
