@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// A heap at the default settings comes to rest and stays: no creep, few sweeps, no overlap to correct.
+#include "heaps.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace scenes;
+
+namespace
+{
+
+constexpr double deltaT = 1e-3, radius = 0.01;
+
+void expectRest(const Scene& scene, int stepsToRest)
+{
+    auto dynamics = scene.build(nscd::ContactSettings());
+    for (int k = 0; k < stepsToRest; ++k) step(dynamics, scene.g, deltaT);
+
+    const nscd::Grains before = dynamics.grains();
+    const double mass = before.mass[0], count = static_cast<double>(before.size());
+    int sweeps = 0;
+    for (int k = 0; k < 200; ++k)
+    {
+        const nscd::StepReport report = step(dynamics, scene.g, deltaT);
+        sweeps += report.solve.sweeps;
+        ASSERT_TRUE(report.solve.converged);
+        ASSERT_EQ(report.correctionSweeps, 0) << "step " << k;
+        ASSERT_FALSE(report.listRebuilt) << "step " << k;
+    }
+    EXPECT_LE(sweeps, 3*200);
+    EXPECT_LT(nscd::kineticEnergy(dynamics.grains()), 1e-8*count*mass*gravity*2*radius);
+    // Nothing stops a sphere that rolls on a plane: one or two may still move.
+    int moved = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) moved += (dynamics.grains().position[i] - before.position[i]).norm() > 1e-5*2*radius;
+    EXPECT_LE(moved, 2);
+
+    Vec3 base = Vec3::Zero();
+    for (const Vec3& force : dynamics.wallForce()) base += force;
+    const Vec3 load = weight(dynamics.grains(), scene.g, deltaT).force[0]/mass;
+    double total = 0.0;
+    for (double m : dynamics.grains().mass) total += m;
+    EXPECT_NEAR((base - total*load).norm(), 0.0, 1e-4*total*gravity);
+}
+
+} // namespace
+
+TEST(Rest, spheres) { expectRest(heap(3, 5, 6, radius, 0.8, 0.5), 1200); }
+
+TEST(Rest, discs) { expectRest(heap(2, 10, 20, radius, 0.6, 0.5), 1000); }
