@@ -48,4 +48,4 @@ void expectRest(const Scene& scene, int stepsToRest)
 
 TEST(Rest, spheres) { expectRest(heap(3, 5, 6, radius, 0.8, 0.5), 1200); }
 
-TEST(Rest, discs) { expectRest(heap(2, 10, 20, radius, 0.6, 0.5), 1000); }
+TEST(Rest, discs) { expectRest(heap(2, 8, 12, radius, 0.6, 0.5), 1600); }
