@@ -12,7 +12,7 @@ namespace nscd
 SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings)
 {
     SolveReport report;
-    ContactQueue queue(problem);
+    ContactQueue queue(problem, problem.all());
     const std::size_t used = queue.slots().size();
     if (used == 0) return report;
 

@@ -62,15 +62,23 @@ bool SlowSolve::isSlow(const DefectSums& sums)
 
 void SlowSolve::start(int sweeps)
 {
-    anderson_ = std::make_unique<AndersonAcceleration>(problem_.blocks.size());
+    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active());
     endOfTerm_ = sweeps + probation;
+    restart();
+}
+
+void SlowSolve::forget()
+{
+    queue_.reset();
+    if (!anderson_) return;
+    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active());
     restart();
 }
 
 void SlowSolve::restart()
 {
     anderson_->forget();
-    start_ = gatherImpulses(problem_.blocks);
+    start_ = gatherImpulses(problem_.blocks, problem_.active());
     sinceMixing_ = 0;
     isMixed_ = false;
 }
@@ -89,7 +97,7 @@ void SlowSolve::mix(const DefectSums& sums)
 {
     squaresBefore_ = sums.sumSquares;
     anderson_->mix(problem_.blocks, start_);
-    problem_.kernels.replaceImpulses(problem_.bodies.data(), problem_.blocks.data(), problem_.blocks.size(), start_.data());
+    problem_.kernels.replaceImpulses(problem_.bodies.data(), problem_.blocks.data(), problem_.active(), start_.data());
     sinceMixing_ = 0;
     isMixed_ = true;
 }
@@ -97,7 +105,7 @@ void SlowSolve::mix(const DefectSums& sums)
 void SlowSolve::revert()
 {
     start_ = anderson_->image();
-    problem_.kernels.replaceImpulses(problem_.bodies.data(), problem_.blocks.data(), problem_.blocks.size(), start_.data());
+    problem_.kernels.replaceImpulses(problem_.bodies.data(), problem_.blocks.data(), problem_.active(), start_.data());
     anderson_->forget();
     sinceMixing_ = 0;
     isMixed_ = false;
@@ -111,7 +119,7 @@ bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule
 
 int SlowSolve::solveLocally(int sweeps, const StopRule& rule)
 {
-    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_);
+    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, problem_.active());
     const std::size_t used = queue_->slots().size();
     const double threshold = 0.5*rule.maxLimit;
     const std::size_t visits = queue_->work(queue_->defective(threshold), threshold, sweepsPerQueue*used);

@@ -24,6 +24,9 @@ public:
     /// Returns the work done beside sweeps, in sweeps.
     int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule);
 
+    /// To be called when blocks woke up: what was collected about the others is of no use.
+    void forget();
+
 private:
     bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const;
     int solveLocally(int sweeps, const StopRule& rule);

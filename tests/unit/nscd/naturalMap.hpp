@@ -20,8 +20,6 @@ struct NaturalMap
     double max = 0.0;  ///< over all pairs [m/s]
     int loaded = 0;
     double overlap = 0.0;    ///< deepest at the start [m]
-    double work = 0.0;       ///< sum of r.(u + b) after the step [J]: a converged step dissipates
-    double impulse = 0.0;    ///< sum of impulses [N s]
 };
 
 /// What the judge sees: positions before the step, velocities after it, and the impulses in between.
@@ -94,8 +92,6 @@ private:
         if (found == impulses_.end() && !(normalDefect > 0.0)) return;
         ++result_.loaded;
         sum2_ += defect*defect;
-        result_.work += r.dot(u + bias*n);
-        result_.impulse += r.norm();
     }
 
     const Scene& scene_;

@@ -106,7 +106,7 @@ TEST(Restart, aBedAtRestStaysAtRest)
     const Scene scene = heap(3, 4, 5, 0.01, 0.7, 0.4);
     auto uninterrupted = scene.build(nscd::ContactSettings());
     auto stopped = scene.build(nscd::ContactSettings());
-    for (int k = 0; k < 600; ++k)
+    for (int k = 0; k < 900; ++k)
     {
         step(uninterrupted, scene.g, deltaT);
         step(stopped, scene.g, deltaT);
