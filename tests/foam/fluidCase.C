@@ -43,9 +43,9 @@ std::string fieldFile
 std::string schemes(const FluidCaseSettings& settings)
 {
     return
-        "ddtSchemes { default " + settings.ddt + "; } gradSchemes { default Gauss linear; }"
+        "ddtSchemes { default " + settings.ddt + "; } gradSchemes { default " + settings.gradient + "; }"
         "divSchemes { default Gauss linear; div(phi,U) " + settings.convection + "; }"
-        "laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default linear; }"
+        "laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default " + settings.interpolation + "; }"
         "snGradSchemes { default corrected; }";
 }
 
