@@ -13,6 +13,7 @@
 #include "OSspecific.H"
 #include "mathematicalConstants.H"
 
+#include <cmath>
 #include <fstream>
 #include <random>
 
@@ -174,6 +175,27 @@ TEST(BadStart, filesThatAreMissingOrTruncatedOrWrong)
     EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 0.01 glass 7"), {"five columns"}));
 }
 
+TEST(BadStart, binaryFilesThatAreTruncatedOrHoldNoNumbers)
+{
+    Case c;
+    const fileName path = c.box.casePath()/"constant/positions";
+    const auto about = [&](const List<vector>& positions, std::size_t cut)
+    {
+        mkDir(path.path());
+        {
+            OFstream os(path, IOstream::BINARY);
+            os << "FoamFile { version 2.0; format binary; class vectorField; object positions; }" << nl << positions;
+        }
+        std::ifstream whole(path);
+        const std::string contents((std::istreambuf_iterator<char>(whole)), std::istreambuf_iterator<char>());
+        std::ofstream(path) << contents.substr(0, contents.size() - cut);
+        return c.complaintAbout(start + "grains { type positionsFile; file positions; diameter 0.01; }");
+    };
+    const List<vector> positions(100, vector(0.5, 0.5, 0.5));
+    EXPECT_TRUE(holds(about(positions, 300), {"constant/positions"}));
+    EXPECT_TRUE(holds(about(List<vector>(1, vector(0.5, std::nan(""), 0.5)), 0), {"constant/positions", "finite number"}));
+}
+
 TEST(BadStart, grainsOutsideTheMesh)
 {
     Case c;
@@ -238,7 +260,7 @@ TEST(BadStart, timeStepMustBePositive)
 {
     BoxMeshSettings settings;
     settings.deltaT = 0;
-    EXPECT_TRUE(holds(complaint([&] { BoxMesh box(settings); checkTimeControls(box.time()); }), {"deltaT", "not positive", "value:   0"}));
+    EXPECT_TRUE(holds(complaint([&] { BoxMesh box(settings); checkTimeControls(box.time()); }), {"deltaT", "out of range", "value:   0", "> 0"}));
     settings.deltaT = -1e-3;
     EXPECT_TRUE(holds(complaint([&] { BoxMesh box(settings); checkTimeControls(box.time()); }), {"deltaT", "value:   -0.001"}));
 }
@@ -257,7 +279,7 @@ TEST(Overlaps, agreeWithTheSumOverAllPairs)
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform(0, 1);
     nscd::Grains grains;
-    for (int i = 0; i < 400; ++i)
+    for (int i = 0; i < 2000; ++i)
     {
         const double radius = 0.005*std::pow(10, uniform(random));
         grains.add(Vec3(uniform(random), uniform(random), 2*uniform(random)), radius, 1, 0, i);

@@ -331,6 +331,19 @@ TEST(BadPatches, saysWhichPatchAndWhatWouldBeRight)
     EXPECT_TRUE(holds(twoMaterials, {"no material", "left", "wallMaterial", "glass, steel"}));
 }
 
+TEST(BadPatches, wedgesAreRefused)
+{
+    BoxMeshSettings settings;
+    settings.cells = labelVector(4, 4, 1);
+    settings.min = point(0, 0.1, -0.5);
+    settings.max = point(1, 1, 0.5);
+    settings.patchTypes = {"wall", "wall", "wall", "wall", "wedge", "wedge"};
+    settings.movePoint = [](const point& x) { return point(x.x(), x.y(), 0.1*x.z()*x.y()); };
+    BoxMesh box(settings);
+    const std::string text = complaint([&] { wallsOf(box); });
+    EXPECT_TRUE(holds(text, {"front", "type that grains do not know", "value:   wedge", "symmetryPlane"}));
+}
+
 TEST(BadPatches, discsOnA3DMeshAreRefused)
 {
     BoxMesh box;

@@ -116,7 +116,7 @@ void checkGrain(const polyMesh& mesh, label id, scalar diameter, const vector& p
     if (diameter > 0 && diameter < VGREAT && mag(position) < VGREAT) return;
     fail
     ({
-        {mesh.time().timePath()/"lagrangian/grains", -1, -1, "d, position"}, "are damaged: grain " + Foam::name(id),
+        placeInFile(mesh.time().timePath()/"lagrangian/grains", "d, position"), "are damaged: grain " + Foam::name(id),
         Foam::name(diameter), "finite positions and positive diameters"
     });
 }
@@ -192,7 +192,7 @@ std::vector<nscd::StoredImpulse> readContacts
         {
             fail
             ({
-                {mesh.time().timePath()/"lagrangian/contacts", -1, -1, "idA, idB"}, "name a grain or wall that is not there",
+                placeInFile(mesh.time().timePath()/"lagrangian/contacts", "idA, idB"), "name a grain or wall that is not there",
                 Foam::name(idA[c]) + " and " + Foam::name(idB[c]), "ids of lagrangian/grains, and walls as at the time of writing"
             });
         }

@@ -155,7 +155,7 @@ GrainTimeSettings readTimeSettings(const CheckedDict& top)
     const CheckedDict given(dict);
     GrainTimeSettings settings;
     settings.maxGrainDisplacement =
-        given.number("maxGrainDisplacement", above(0), dimless, settings.maxGrainDisplacement);
+        given.number("maxGrainDisplacement", atLeast(0), dimless, settings.maxGrainDisplacement);
     settings.subCycles = given.integer("subCycles", 1, settings.subCycles);
     given.finish();
     return settings;
@@ -204,7 +204,7 @@ dictionary GrainProperties::meanFlowDict() const
 GrainProperties readGrainProperties(const dictionary& dict)
 {
     const CheckedDict top(dict);
-    // Where users may keep values of their own, for use as $variables.d.
+    // Where users may keep values of their own, for use as $:variables.d.
     top.found("variables");
     GrainProperties properties;
     properties.materials = readMaterials(top);

@@ -36,13 +36,6 @@ void checkExists(const fileName& path, const InputPlace& source)
     fail({{is.name(), is.lineNumber(), is.lineNumber(), fileName(is.name()).name()}, problem, value, listLayout});
 }
 
-string textOf(const token& tok)
-{
-    OStringStream text;
-    text << tok;
-    return text.str();
-}
-
 token nextToken(IFstream& is, std::size_t nRead)
 {
     token tok(is);
@@ -64,12 +57,12 @@ vector readPosition(IFstream& is, std::size_t nRead)
         const token tok = nextToken(is, nRead);
         if (!tok.isNumber() || !std::isfinite(tok.number()))
         {
-            failAt(is, "holds a position whose coordinate is not a finite number", textOf(tok));
+            failAt(is, "holds a position whose coordinate is not a finite number", messageText(tok));
         }
         position[k] = tok.number();
     }
     const token closing = nextToken(is, nRead);
-    if (!isMark(closing, token::END_LIST)) failAt(is, "holds a position without three coordinates", textOf(closing));
+    if (!isMark(closing, token::END_LIST)) failAt(is, "holds a position without three coordinates", messageText(closing));
     return position;
 }
 
@@ -87,6 +80,11 @@ std::vector<vector> readBinary(IFstream& is, const token& count)
 {
     is.putBack(count);
     const List<vector> positions(is);
+    for (const vector& x : positions)
+    {
+        const bool isFinite = std::isfinite(x.x()) && std::isfinite(x.y()) && std::isfinite(x.z());
+        if (!isFinite) failAt(is, "holds a position whose coordinate is not a finite number", messageText(x));
+    }
     return std::vector<vector>(positions.begin(), positions.end());
 }
 
@@ -123,12 +121,12 @@ std::vector<vector> readPositionsFile(const fileName& path, const InputPlace& so
 
     const label stated = tok.isLabel() ? tok.labelToken() : -1;
     if (tok.isLabel()) tok = nextToken(is, 0);
-    if (!isMark(tok, token::BEGIN_LIST)) failAt(is, "does not start with (", textOf(tok));
+    if (!isMark(tok, token::BEGIN_LIST)) failAt(is, "does not start with (", messageText(tok));
 
     std::vector<vector> positions;
     for (tok = nextToken(is, 0); !isMark(tok, token::END_LIST); tok = nextToken(is, positions.size()))
     {
-        if (!isMark(tok, token::BEGIN_LIST)) failAt(is, "holds something that is no position", textOf(tok));
+        if (!isMark(tok, token::BEGIN_LIST)) failAt(is, "holds something that is no position", messageText(tok));
         positions.push_back(readPosition(is, positions.size()));
     }
     if (stated >= 0 && stated != label(positions.size()))

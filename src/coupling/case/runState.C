@@ -58,7 +58,7 @@ bool hasRunState(const polyMesh& mesh)
 RunState readRunState(const polyMesh& mesh)
 {
     const IOobject file = stateFile(mesh, IOobject::MUST_READ);
-    if (!hasRunState(mesh)) fail({{file.objectPath(), -1, -1, "grainState"}, "is missing or has no header"});
+    if (!hasRunState(mesh)) fail({placeInFile(file.objectPath(), "grainState"), "is missing or has no header"});
     const IOdictionary dict(file);
     const CheckedDict given(dict);
     RunState state;

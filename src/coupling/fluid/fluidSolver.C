@@ -88,7 +88,7 @@ void FluidSolver::solveWithGrains()
     momentum.ref().relax();
     options_.constrain(momentum.ref());
 
-    if (pimple_.momentumPredictor() && fields_.hasBalancedGradient)
+    if (pimple_.momentumPredictor())
     {
         predictVelocity(fields_, sources_, terms, momentum(), rho());
         options_.correct(fields_.U);

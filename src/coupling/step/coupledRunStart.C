@@ -4,6 +4,8 @@
 // How a run starts: from grainProperties, or from a written time.
 #include "step/coupledRun.H"
 
+#include "case/numericsCheck.H"
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -19,21 +21,6 @@ scalar meanDiameter(const ::nscd::Grains& grains)
     return grains.size() > 0 ? sum/grains.size() : 0;
 }
 
-dictionary voidFractionDict(const VoidFractionSettings& settings, const ::nscd::Grains& grains)
-{
-    dictionary dict;
-    dict.add("method", word(settings.method));
-    dict.add("diffusionLength", settings.diffusion*meanDiameter(grains));
-    return dict;
-}
-
-dictionary meanFlowDict(const GrainProperties& properties)
-{
-    dictionary dict;
-    if (properties.holdsMeanFlow) dict.add("target", properties.meanFlow);
-    return dict;
-}
-
 bool areAllFixed(const ::nscd::Grains& grains)
 {
     for (std::uint8_t isFixed : grains.isFixed)
@@ -43,8 +30,9 @@ bool areAllFixed(const ::nscd::Grains& grains)
     return true;
 }
 
-ActiveForces activeForces(const ForceSettings& forces)
+ActiveForces activeForces(const ForceSettings& forces, bool hasFluid)
 {
+    if (!hasFluid) return {false, false, false};
     return {forces.dragLaw != "none", forces.pressureGradient, forces.viscous};
 }
 
@@ -63,7 +51,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     properties_(readGrainProperties(time)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
-    active_(activeForces(properties_.forces)),
+    active_(activeForces(properties_.forces, properties_.solvesFluid)),
     log_(time, Info, properties_.solvesFluid)
 {
     startGrains();
@@ -103,13 +91,16 @@ void CoupledRun::startGrains()
 void CoupledRun::startFluid()
 {
     const ::nscd::Grains& grains = dynamics_->grains();
-    immersion_ = std::make_unique<Immersion>(mesh_, voidFractionDict(properties_.voidFraction, grains));
+    immersion_ = std::make_unique<Immersion>(mesh_, properties_.voidFraction.forMapping(meanDiameter(grains)));
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
     sources.isStatic = hasGrains() && areAllFixed(grains);
     sources.hasResponse = feedsBack() && !sources.isStatic;
     if (hasGrains()) updateWeights();
-    immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, meanFlowDict(properties_));
+    checkFieldDimensions(mesh_);
+    checkTransportProperties(time_);
+    immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());
+    checkNumerics(immersion_->fluid->phi(), sources.hasGrains);
 }
 
 DragModel CoupledRun::dragModel() const
