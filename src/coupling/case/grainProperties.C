@@ -9,6 +9,7 @@
 
 #include "contactSolver.hpp"
 #include "dragLaws.hpp"
+#include "sweepKernels.hpp"
 
 #include "Time.H"
 #include "dimensionSets.H"
@@ -101,6 +102,14 @@ nscd::ContactSettings readContactSettings(const CheckedDict& top)
     s.skin = given.number("skin", atLeast(0), dimless, s.skin);
     s.accelerate = given.flag("accelerate", s.accelerate);
     s.vectorPath = given.choice("vectorPath", {"auto", "portable", "AVX2", "AVX512"}, s.vectorPath);
+    try
+    {
+        nscd::chooseKernels(s.vectorPath.c_str());
+    }
+    catch (const std::invalid_argument& error)
+    {
+        given.reject("vectorPath", "is not for this processor: " + string(error.what()), "auto");
+    }
     given.finish();
     return s;
 }

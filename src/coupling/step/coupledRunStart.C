@@ -5,6 +5,7 @@
 #include "step/coupledRun.H"
 
 #include "case/numericsCheck.H"
+#include "case/sceneLog.H"
 
 namespace Foam
 {
@@ -58,6 +59,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     if (properties_.solvesFluid) startFluid();
     else if (scene_.roles.ofRole(PatchRole::exit).size() > 0) locations_ = std::make_unique<GrainLocations>(mesh);
     report_ = std::make_unique<GrainReport>(time);
+    logScene(Info, properties_, scene_, dynamics_->grains(), mesh, hasGrainState(mesh));
 }
 
 GrainState CoupledRun::readState() const
