@@ -4,36 +4,58 @@
 // Anderson acceleration of a fixed-point map of contact impulses.
 #pragma once
 
+#include "contactBlock.hpp"
+
 #include <Eigen/Core>
+
+#include <vector>
 
 namespace nscd
 {
 
-/// Anderson mixing of depth m for x -> F(x) in a weighted norm (Walker & Ni 2011, eq. 2.2, difference form):
-/// with f = F(x) - x, x_new = F(x) - (dX + dF) gamma, gamma = argmin |f - dF gamma|_w over the last m differences.
+/// Anderson mixing for r -> F(r), r the impulses of all blocks (Walker & Ni 2011, eq. 2.2, difference form):
+/// with f = F(r) - r, r_new = F(r) - dF gamma, gamma = argmin |f - df gamma| over the last differences df of f and dF of F(r).
+/// The norm is that of velocities in contacts, |f|^2 = sum of W_nn f_k^2.
 class AndersonAcceleration
 {
 public:
-    /// `weight` [n]: the squared norm is sum of weight_i x_i^2.
-    AndersonAcceleration(Eigen::VectorXd weight, int depth);
+    /// Differences that are mixed: more cost more and converge no faster.
+    static constexpr int depth = 3;
 
-    /// The next iterate from x and F(x); F(x) itself until there are differences to mix.
-    Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& image);
+    /// Impulses as one vector: x, y, z of eight lanes for each block.
+    using Impulses = std::vector<double>;
 
-    void forget() { stored_ = 0; hasPrevious_ = false; }
+    explicit AndersonAcceleration(std::size_t blocks);
+
+    /// Turns `r` into the next iterate of the map whose last application led from `r` to what the blocks hold, before
+    /// its projection on the friction cones; to the blocks' impulses themselves until there are differences to mix.
+    void mix(const std::vector<ContactBlock>& blocks, Impulses& r);
+
+    /// What the blocks held at the last mixing.
+    const Impulses& image() const { return previousImage_; }
+
+    /// Drops the differences: the next iterate has no history.
+    void forget();
 
 private:
-    void storeDifferences(const Eigen::VectorXd& image, const Eigen::VectorXd& defect);
+    using Gamma = Eigen::Matrix<double, depth, 1>;
 
-    Eigen::VectorXd weight_;
-    int depth_;
+    void remember(const std::vector<ContactBlock>& blocks, Impulses& r);
+    void addDifferences(const std::vector<ContactBlock>& blocks, const Impulses& r);
+    Gamma solveLeastSquares() const;
+
+    int column_ = 0;      ///< of the newest difference
     int stored_ = 0;
-    int oldest_ = 0;
     bool hasPrevious_ = false;
-    Eigen::MatrixXd imageDifferences_;
-    Eigen::MatrixXd defectDifferences_;
-    Eigen::VectorXd previousImage_;
-    Eigen::VectorXd previousDefect_;
+    Impulses previousImage_;
+    std::vector<float> previousDefect_;
+    std::vector<float> imageDifference_[depth];
+    std::vector<float> defectDifference_[depth];
+    Eigen::Matrix<double, depth, depth> gram_;  ///< df^T W df
+    Gamma projection_;                          ///< df^T W f
 };
+
+/// The impulses the blocks hold.
+AndersonAcceleration::Impulses gatherImpulses(const std::vector<ContactBlock>& blocks);
 
 } // namespace nscd

@@ -48,6 +48,10 @@ struct DefectSums
 /// One pass over all blocks. A sweep updates impulses and velocities in place, an evaluation changes nothing.
 using SweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, std::size_t nBlocks);
 
+/// Replaces all impulses by the admissible ones nearest to `target` (blocks x 24: x, y, z of eight lanes each) in the cone's
+/// normal and tangential directions, and the velocities with them; `target` receives what was set.
+using ReplaceFunction = void (*)(Body* bodies, ContactBlock* blocks, std::size_t nBlocks, double* target);
+
 struct SweepKernels
 {
     const char* name;
@@ -56,6 +60,7 @@ struct SweepKernels
     SweepFunction sweepFrictionless;
     SweepFunction evaluate;
     SweepFunction evaluateFrictionless;
+    ReplaceFunction replaceImpulses;
 };
 
 } // namespace nscd

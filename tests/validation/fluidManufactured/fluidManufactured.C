@@ -5,10 +5,12 @@
 
 #include "fluidCase.H"
 #include "manufacturedSources.H"
+#include "mappingTools.H"
 
 #include "fixedValueFvPatchFields.H"
 
 #include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 using namespace Foam;
@@ -31,11 +33,14 @@ struct Manufactured
     const char* convection = "Gauss linear";
     const char* ddt = "backward";
     const char* pimple = "nOuterCorrectors 3; nCorrectors 2; momentumPredictor yes; pRefCell 0; pRefValue 0;";
+    scalar distortion = 0;         // largest random shift of a mesh point, in cells
+    scalar deltaT = 0;             // 0: a quarter of the cell size
 };
 
 struct Errors { scalar u = 0, p = 0; };
 
 bool isFailed = false;
+label nLevels = 3;
 
 void require(const bool condition, const char* what)
 {
@@ -64,6 +69,8 @@ public:
     {
         flow_.steps(nSteps, [this] { setSources(); });
     }
+
+    const volVectorField& U() { return flow_.fluid().U(); }
 
     /// RMS over the domain; the pressure's mean is not determined.
     Errors errors()
@@ -98,11 +105,12 @@ private:
         else settings.box.patchTypes = {"cyclic", "cyclic", "cyclic", "cyclic", "empty", "empty"};
         settings.rho = solution.fluid.rho;
         settings.nu = solution.fluid.mu/solution.fluid.rho;
-        settings.box.deltaT = size/n/4;
+        settings.box.deltaT = solution.deltaT > 0 ? solution.deltaT : size/n/4;
         settings.ddt = solution.ddt;
         settings.convection = solution.convection;
         settings.pimple = solution.pimple;
         settings.tolerance = 1e-9;
+        if (solution.distortion > 0) shake(settings.box, solution.distortion*size/n, true);
         return settings;
     }
 
@@ -178,12 +186,12 @@ scalar order(const scalar coarse, const scalar fine)
 }
 
 
-// Errors at t = 0.98 on 16, 32 and 64 cells, dt = h/4.
+// Errors at t = 0.98 on 16, 32, 64... cells, dt = h/4.
 std::vector<Errors> refine(const Manufactured& solution)
 {
     std::vector<Errors> errors;
     std::printf("%s\n", solution.name);
-    for (label level = 0; level < 3; ++level)
+    for (label level = 0; level < nLevels; ++level)
     {
         errors.push_back(errorsAfter(solution, 16 << level, 10 << level));
         const Errors& e = errors.back();
@@ -200,8 +208,9 @@ std::vector<Errors> refine(const Manufactured& solution)
 void requireOrders(const Manufactured& solution, const scalar u, const scalar p)
 {
     const auto errors = refine(solution);
-    require(order(errors[1].u, errors[2].u) >= u, "order of u");
-    require(order(errors[1].p, errors[2].p) >= p, "order of p");
+    const Errors& coarse = errors[nLevels - 2];
+    require(order(coarse.u, errors.back().u) >= u, "order of u");
+    require(order(coarse.p, errors.back().p) >= p, "order of p");
 }
 
 
@@ -223,12 +232,51 @@ void checkOrders()
 }
 
 
+void checkDistortedMeshes()
+{
+    const ManufacturedFluid viscous{1.3, 0.07, 2.1};
+    for (Manufactured distorted : {
+        Manufactured{"M1, 20 % distorted mesh", taylorGreen, viscous},
+        Manufactured{"M2, 20 % distorted mesh", travelingWave, viscous, true},
+        Manufactured{"M3, 20 % distorted mesh", sharpBed, viscous}})
+    {
+        distorted.pimple = "nOuterCorrectors 3; nCorrectors 2; nNonOrthogonalCorrectors 1; momentumPredictor yes;"
+            "pRefCell 0; pRefValue 0;";
+        distorted.distortion = 0.2;
+        requireOrders(distorted, 1.7, 1.5);
+    }
+}
+
+
+// Distance of the velocities with a step and with half of it, at t = 0.8 on 24 cells.
+scalar stepError(Manufactured solution, const label nSteps)
+{
+    solution.deltaT = 0.8/nSteps;
+    ManufacturedRun coarse(solution, 24);
+    coarse.advance(nSteps);
+    solution.deltaT /= 2;
+    ManufacturedRun fine(solution, 24);
+    fine.advance(2*nSteps);
+    return std::sqrt(gAverage(magSqr(coarse.U().primitiveField() - fine.U().primitiveField())()));
+}
+
+
+void checkTimeOrder(const char* scheme, const scalar expected)
+{
+    Manufactured wave{"M2 in time", travelingWave, {1.3, 0.07, 2.1}, true};
+    wave.ddt = scheme;
+    const scalar coarse = stepError(wave, 20), fine = stepError(wave, 40);
+    std::printf("%s, %s: %.3e %.3e (%.2f)\n", wave.name, scheme, coarse, fine, order(coarse, fine));
+    require(mag(order(coarse, fine) - expected) < 0.15, "order in time");
+}
+
+
 void checkThatStressFormsDiffer()
 {
     Manufactured other{"M1 with the source of div(alpha tau): must not converge", taylorGreen, {1.3, 0.07, 2.1}};
     other.isStressFormD = true;
     const auto errors = refine(other);
-    require(order(errors[1].u, errors[2].u) < 1, "the test cannot tell the stress forms apart");
+    require(order(errors[nLevels - 2].u, errors.back().u) < 1, "the test cannot tell the stress forms apart");
 }
 
 
@@ -248,7 +296,7 @@ void checkAgainstLethe()
         steady.pimple = "nOuterCorrectors 1; nCorrectors 3; momentumPredictor yes; pRefCell 0; pRefValue 0;";
         std::printf("%s: errors / Lethe's\n", lethe.name);
         Errors last;
-        for (label level = 0; level < 3; ++level)
+        for (label level = 0; level < min(nLevels, 3); ++level)
         {
             const label n = 16 << level;
             Errors e = errorsAfter(steady, n, 4*n);
@@ -268,10 +316,14 @@ void checkAgainstLethe()
 } // End anonymous namespace
 
 
-int main(int argc, char**)
+// fluidManufactured [number of meshes: 3]
+int main(int argc, char** argv)
 {
-    if (argc < 2)
+    if (argc > 1) nLevels = std::atoi(argv[1]);
     checkOrders();
+    checkDistortedMeshes();
+    checkTimeOrder("Euler", 1);
+    checkTimeOrder("backward", 2);
     checkThatStressFormsDiffer();
     checkAgainstLethe();
     return isFailed;

@@ -109,7 +109,8 @@ class BoxCase:
     def call(self, program):
         log = os.path.join(self.folder, "log." + program)
         with open(log, "w") as file:
-            status = subprocess.call([program], cwd=self.folder, stdout=file, stderr=subprocess.STDOUT)
+            status = subprocess.call([program], cwd=self.folder, stdout=file, stderr=subprocess.STDOUT,
+                                     env=dict(os.environ, PWD=self.folder))
         if status != 0:
             with open(log) as file:
                 sys.stdout.write("".join(file.readlines()[-25:]))
@@ -150,9 +151,10 @@ def readList(path):
     if start.group(2) == "{":
         return count*values("(" + text[start.end():text.index("}", start.end())] + ")")
     body = text[start.end():]
-    nested = body.lstrip().startswith("(")
-    end = re.search(r"\)\s*\)", body) if nested else re.search(r"\)", body)
-    return values("(" + body[:end.start() + (1 if nested else 0)] + ")")
+    if body.lstrip().startswith("("):
+        triples = re.finditer(r"\(([^()]*)\)", body)
+        return [tuple(float(number) for number in next(triples).group(1).split()) for _ in range(count)]
+    return values("(" + body[:body.index(")")] + ")")
 
 
 def values(text):

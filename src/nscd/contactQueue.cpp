@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// A first-in first-out queue of contacts with their neighbors by body.
+#include "contactQueue.hpp"
+
+#include "localContact.hpp"
+
+#include <array>
+#include <cmath>
+#include <deque>
+#include <numeric>
+#include <stdexcept>
+
+namespace nscd
+{
+
+namespace
+{
+
+std::array<std::int32_t, 2> bodiesOf(const ContactProblem& problem, std::size_t slot)
+{
+    const ContactBlock& block = problem.blocks[slot/blockLanes];
+    return {block.a[slot % blockLanes], block.b[slot % blockLanes]};
+}
+
+bool isMovable(const ContactProblem& problem, std::int32_t body) { return problem.bodies[body].invMass > 0.0; }
+
+} // namespace
+
+ContactQueue::ContactQueue(ContactProblem& problem)
+:
+    problem_(problem)
+{
+    for (std::size_t slot = 0; slot < problem.blocks.size()*blockLanes; ++slot)
+    {
+        if (isUsed(problem.blocks[slot/blockLanes], slot % blockLanes)) used_.push_back(slot);
+    }
+    groupByBody();
+}
+
+void ContactQueue::groupByBody()
+{
+    start_.assign(problem_.bodies.size() + 1, 0);
+    const auto forEach = [&](auto&& visit)
+    {
+        for (std::size_t slot : used_)
+        {
+            for (std::int32_t body : bodiesOf(problem_, slot))
+            {
+                if (isMovable(problem_, body)) visit(body, slot);
+            }
+        }
+    };
+    forEach([&](std::int32_t body, std::size_t) { ++start_[body + 1]; });
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    slotsOfBody_.resize(start_.back());
+    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+    forEach([&](std::int32_t body, std::size_t slot) { slotsOfBody_[next[body]++] = slot; });
+}
+
+std::vector<std::size_t> ContactQueue::defective(double threshold) const
+{
+    std::vector<std::size_t> found;
+    for (std::size_t slot : used_)
+    {
+        if (localChange(problem_, slot).defect > threshold) found.push_back(slot);
+    }
+    return found;
+}
+
+std::size_t ContactQueue::work(const std::vector<std::size_t>& seeds, double threshold, std::size_t maxVisits)
+{
+    std::deque<std::size_t> queue(seeds.begin(), seeds.end());
+    std::vector<char> isQueued(problem_.blocks.size()*blockLanes, 0);
+    for (std::size_t slot : seeds) isQueued[slot] = 1;
+
+    std::size_t visits = 0;
+    while (!queue.empty() && visits < maxVisits)
+    {
+        const std::size_t slot = queue.front();
+        queue.pop_front();
+        isQueued[slot] = 0;
+        ++visits;
+        const LocalChange change = localChange(problem_, slot);
+        if (!std::isfinite(change.defect)) throw std::runtime_error("contact solve met a velocity that is not finite");
+        if (change.defect <= threshold) continue;
+        apply(problem_, slot, change);
+        for (std::int32_t body : bodiesOf(problem_, slot))
+        {
+            if (!isMovable(problem_, body)) continue;
+            for (std::size_t k = start_[body]; k < start_[body + 1]; ++k)
+            {
+                const std::size_t neighbor = slotsOfBody_[k];
+                if (neighbor == slot || isQueued[neighbor]) continue;
+                isQueued[neighbor] = 1;
+                queue.push_back(neighbor);
+            }
+        }
+    }
+    return visits;
+}
+
+} // namespace nscd

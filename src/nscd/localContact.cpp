@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The closed-form solution of one contact, in plain scalar code.
+#include "localContact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Relative velocity at the contact, world frame [m/s].
+void relativeVelocity(const Body& a, const Body& b, const double n[3], double u[3])
+{
+    const double s[3] = {a.s[0] + b.s[0], a.s[1] + b.s[1], a.s[2] + b.s[2]};
+    u[0] = a.v[0] - b.v[0] - (s[1]*n[2] - s[2]*n[1]);
+    u[1] = a.v[1] - b.v[1] - (s[2]*n[0] - s[0]*n[2]);
+    u[2] = a.v[2] - b.v[2] - (s[0]*n[1] - s[1]*n[0]);
+}
+
+double dot(const double a[3], const double b[3]) { return a[0]*b[0] + a[1]*b[1] + a[2]*b[2]; }
+
+} // namespace
+
+LocalChange localChange(const ContactProblem& problem, std::size_t slot)
+{
+    const ContactBlock& block = problem.blocks[slot/blockLanes];
+    const int lane = slot % blockLanes;
+    const double n[3] = {block.n[0][lane], block.n[1][lane], block.n[2][lane]};
+    const double r[3] = {block.r[0][lane], block.r[1][lane], block.r[2][lane]};
+    double u[3];
+    relativeVelocity(problem.bodies[block.a[lane]], problem.bodies[block.b[lane]], n, u);
+    const double rn = dot(r, n), un = dot(u, n);
+    const double pn = std::max(0.0, rn - (un + block.bias[lane])*block.invWn[lane]);
+
+    // Scenes without friction have no spin: their friction coefficient is zero and q is dropped.
+    double q[3];
+    for (int k = 0; k < 3; ++k) q[k] = r[k] - rn*n[k] - (u[k] - un*n[k])*block.invWt[lane];
+    const double limit = block.friction[lane]*pn;
+    const double q2 = dot(q, q);
+    const double scale = q2 > limit*limit ? limit/std::sqrt(q2) : 1.0;
+
+    LocalChange change;
+    double tangential2 = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+        const double t = scale*q[k] - (r[k] - rn*n[k]);
+        change.impulse[k] = (pn - rn)*n[k] + t;
+        tangential2 += t*t;
+    }
+    change.defect = std::hypot((pn - rn)/block.invWn[lane], std::sqrt(tangential2)/block.invWt[lane]);
+    return change;
+}
+
+void apply(ContactProblem& problem, std::size_t slot, const LocalChange& change)
+{
+    ContactBlock& block = problem.blocks[slot/blockLanes];
+    const int lane = slot % blockLanes;
+    const double n[3] = {block.n[0][lane], block.n[1][lane], block.n[2][lane]};
+    for (int k = 0; k < 3; ++k) block.r[k][lane] += change.impulse[k];
+    applyImpulse(problem.bodies[block.a[lane]], problem.bodies[block.b[lane]], n, change.impulse);
+}
+
+} // namespace nscd

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// One contact by itself: closed-form solution and defect, for solvers that visit contacts one by one.
+#pragma once
+
+#include "contactSolver.hpp"
+
+namespace nscd
+{
+
+inline bool isUsed(const ContactBlock& block, int lane) { return block.invWn[lane] > 0.0; }
+
+/// Change of a slot's impulse that solves its contact with all others held (grains.md section 1), and its velocity defect.
+struct LocalChange
+{
+    double impulse[3];  ///< on A, world frame [N s]
+    double defect;      ///< |W dr| [m/s]
+};
+
+LocalChange localChange(const ContactProblem& problem, std::size_t slot);
+
+/// Changes the slot's impulse and the velocities of its two bodies.
+void apply(ContactProblem& problem, std::size_t slot, const LocalChange& change);
+
+} // namespace nscd

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Help for a Gauss-Seidel solve that turns out to be slow.
+#pragma once
+
+#include "andersonAcceleration.hpp"
+#include "contactQueue.hpp"
+
+#include <limits>
+#include <memory>
+
+namespace nscd
+{
+
+/// Watches the sweeps of one solve. After some sweeps it mixes iterates, which shortens what is slow everywhere (weight passed
+/// down through layers); when all that is left is a few bad contacts it works those off by a queue, since clusters that wedge
+/// or slip take hundreds of visits and would otherwise make as many sweeps over everything.
+class SlowSolve
+{
+public:
+    explicit SlowSolve(ContactProblem& problem) : problem_(problem) {}
+
+    /// Returns the work done beside sweeps, in sweeps.
+    int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule);
+
+private:
+    bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const;
+    int solveLocally(int sweeps, const StopRule& rule);
+    bool isSlow(const DefectSums& sums);
+    void start();
+    void mix(const DefectSums& sums);
+    void revert();
+
+    ContactProblem& problem_;
+    std::unique_ptr<AndersonAcceleration> anderson_;
+    AndersonAcceleration::Impulses start_;      ///< impulses after the last mixing
+    std::unique_ptr<ContactQueue> queue_;
+    int sinceMixing_ = 0;
+    int lastLocal_ = 0;
+    bool isMixed_ = false;
+    double squaresBefore_ = std::numeric_limits<double>::max();
+};
+
+} // namespace nscd
