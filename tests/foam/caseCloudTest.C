@@ -4,7 +4,7 @@
 // Tests of written times: what is read back, in every format, and what is said about damaged files.
 #include "caseTools.H"
 
-#include "grainCloud.H"
+#include "case/grainCloud.H"
 #include "vectorConversion.H"
 
 #include "OSspecific.H"
@@ -85,7 +85,7 @@ BoxMeshSettings inFormat(const word& format, label precision = 17, bool isCompre
 
 RestartExpectation expectation()
 {
-    return {{"temperature"}, {"fContact"}, 3};
+    return {{"temperature"}, {"fContact"}, {"lastDeltaT", "exited"}, 3};
 }
 
 void write(BoxMesh& box, const GrainState& state)
@@ -251,6 +251,13 @@ TEST(BadRestart, missingOrTruncatedFilesAreNamed)
             EXPECT_TRUE(holds(complaintWithout(file, share), {file})) << "cut to " << share;
         }
     }
+}
+
+TEST(BadRestart, numbersThatTheRunNeedsMustBeThere)
+{
+    GrainState state = randomState(1);
+    state.numbers.erase("exited");
+    EXPECT_TRUE(holds(complaint([&] { roundTrip(inFormat("ascii"), state); }), {"uniform/grainState", "exited"}));
 }
 
 TEST(BadRestart, filesOfDifferentTimesDoNotFit)

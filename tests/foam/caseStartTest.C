@@ -4,10 +4,10 @@
 // Tests of the first grains of a case: where they are put, and what is refused.
 #include "caseTools.H"
 
-#include "grainScene.H"
-#include "initialChecks.H"
-#include "materialsReader.H"
-#include "overlaps.H"
+#include "case/grainScene.H"
+#include "case/initialChecks.H"
+#include "case/materialsReader.H"
+#include "case/overlaps.H"
 
 #include "OFstream.H"
 #include "OSspecific.H"

@@ -234,6 +234,10 @@ GrainState readGrainState
 )
 {
     const RunState run = readRunState(mesh);
+    for (const word& name : expected.numbers)
+    {
+        if (run.numbers.count(name) == 0) fail({run.place, "lacks the number " + name, string::null, "what this version writes"});
+    }
     GrainState state;
     state.grains = readGrains(mesh, run, materials, shape);
     state.extras = readExtras(mesh, run.nGrains, expected);

@@ -22,6 +22,12 @@ scalar meanDiameter(const ::nscd::Grains& grains)
     return grains.size() > 0 ? sum/grains.size() : 0;
 }
 
+/// The time that a directory's name gives has lost digits; a directory that was renamed, to start anew at 0 say, keeps its name.
+void continueTime(Time& time, scalar written)
+{
+    if (Time::timeName(written) == time.timeName()) time.setTime(written, time.timeIndex());
+}
+
 bool areAllFixed(const ::nscd::Grains& grains)
 {
     for (std::uint8_t isFixed : grains.isFixed)
@@ -66,6 +72,7 @@ GrainState CoupledRun::readState() const
 {
     RestartExpectation expected;
     expected.vectors = {dragDebtField, contactForceField};
+    expected.numbers = {"exited", "lastDeltaT", "time", "courant", "displacement"};
     expected.nWallRegions = label(scene_.walls.regions.size());
     return readGrainState(mesh_, properties_.materials, scene_.space.shape, expected);
 }
@@ -87,6 +94,8 @@ void CoupledRun::startGrains()
     debt_ = state.extras.vectors.at(dragDebtField);
     lastContactForce_ = state.extras.vectors.at(contactForceField);
     exited_ = static_cast<std::int64_t>(state.numbers.at("exited"));
+    continueTime(time_, state.numbers.at("time"));
+    reach_ = {state.numbers.at("courant"), state.numbers.at("displacement"), true};
     dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
 }
 
