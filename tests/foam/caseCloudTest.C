@@ -226,15 +226,6 @@ TEST(GrainCloud, materialsAreFoundByName)
         {"no longer has", "value:   lead", "nearest: led", "grainState"}));
 }
 
-TEST(GrainCloud, isOnlyFoundWhereOneWasWritten)
-{
-    BoxMesh box;
-    ++box.time();
-    EXPECT_FALSE(hasGrainState(box.mesh()));
-    write(box, randomState(1));
-    EXPECT_TRUE(hasGrainState(box.mesh()));
-}
-
 TEST(BadRestart, missingOrTruncatedFilesAreNamed)
 {
     const std::vector<fileName> files =
@@ -251,6 +242,17 @@ TEST(BadRestart, missingOrTruncatedFilesAreNamed)
             EXPECT_TRUE(holds(complaintWithout(file, share), {file})) << "cut to " << share;
         }
     }
+}
+
+TEST(BadRestart, aTimeThatWasNotWrittenToItsEndIsNamed)
+{
+    BoxMesh box;
+    ++box.time();
+    EXPECT_FALSE(hasGrainState(box.mesh()));
+    write(box, randomState(5));
+    EXPECT_TRUE(hasGrainState(box.mesh()));
+    rm(box.time().timePath()/"uniform/grainState");
+    EXPECT_TRUE(holds(complaint([&] { hasGrainState(box.mesh()); }), {"0.001/uniform/grainState", "not written to its end", "remove"}));
 }
 
 TEST(BadRestart, numbersThatTheRunNeedsMustBeThere)

@@ -7,6 +7,10 @@
 #include "runState.H"
 #include "vectorConversion.H"
 
+#include "OSspecific.H"
+#include "Time.H"
+#include "cloud.H"
+
 #include <algorithm>
 #include <unordered_map>
 
@@ -223,7 +227,17 @@ void writeGrainState
 
 bool hasGrainState(const polyMesh& mesh)
 {
-    return hasRunState(mesh);
+    if (hasRunState(mesh)) return true;
+    const Time& time = mesh.time();
+    const bool isHalfWritten =
+        isDir(time.timePath()/cloud::prefix/"grains") || isFile(time.timePath()/"balancedGradient");
+    if (!isHalfWritten) return false;
+    fail
+    ({
+        placeInFile(time.timePath()/"uniform/grainState", "grainState"),
+        "is missing: the directory was not written to its end", string::null,
+        "remove the directory " + time.timeName() + ", and the run continues from the time before it"
+    });
 }
 
 

@@ -6,6 +6,7 @@
 #include "dictionaryCheck.H"
 #include "grainSourceReader.H"
 #include "materialsReader.H"
+#include "voidFractionMethods.H"
 
 #include "contactSolver.hpp"
 #include "dragLaws.hpp"
@@ -120,7 +121,7 @@ VoidFractionSettings readVoidFraction(const CheckedDict& top)
     const dictionary dict = top.subOrEmpty("voidFraction");
     const CheckedDict given(dict);
     VoidFractionSettings settings;
-    settings.method = given.choice("method", voidFractionMethods(), settings.method);
+    settings.method = given.choice("method", toWords(voidFractionMethodNames()), settings.method);
     settings.diffusion = given.number("diffusion", atLeast(0), dimless, settings.diffusion);
     settings.minFluidFraction =
         given.number("minFluidFraction", Range{0, 1, false, false}, dimless, settings.minFluidFraction);
@@ -183,13 +184,6 @@ void readCoupling(const CheckedDict& top, GrainProperties& properties)
 }
 
 } // namespace
-
-
-const Words& voidFractionMethods()
-{
-    static const Words methods = {"centroid", "satellite", "exact"};
-    return methods;
-}
 
 
 dictionary VoidFractionSettings::forMapping(scalar meanDiameter) const

@@ -111,7 +111,7 @@ void CoupledRun::startFluid()
     checkFieldDimensions(mesh_);
     checkTransportProperties(time_);
     immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());
-    checkNumerics(immersion_->fluid->phi(), sources.hasGrains);
+    checkNumerics(immersion_->fluid->phi(), sources.hasGrains || properties_.holdsMeanFlow);
 }
 
 DragModel CoupledRun::dragModel() const
