@@ -98,7 +98,11 @@ std::vector<int> materialMap(const RunState& state, const nscd::Materials& prese
         map.push_back(present.find(name));
         if (map.back() < 0)
         {
-            fail({state.place, "was written with a material that grainProperties no longer has", name, string::null, present.names()});
+            fail
+            ({
+                state.place, "was written with a material that grainProperties no longer has", name, string::null,
+                present.names()
+            });
         }
     }
     return map;

@@ -67,7 +67,10 @@ void logScene
 )
 {
     const nscd::ContactSettings& contact = properties.contact;
-    const auto line = [&](const char* head, const string& text) { os << formatted("  %-9s", head).c_str() << text.c_str() << nl; };
+    const auto line = [&](const char* head, const string& text)
+    {
+        os << formatted("  %-9s", head).c_str() << text.c_str() << nl;
+    };
     os << "Case" << nl;
     line("grains", describeGrains(grains));
     if (isRestart) line("", "from time " + mesh.time().timeName() + "; `grains` of grainProperties are for a new start only");
