@@ -222,6 +222,38 @@ TEST(Program, aRunWithAdjustedStepsGoesOnFromAWrittenTimeAsIfNeverStopped)
     EXPECT_EQ(filesThatDiffer(restingGrains, control, stateFiles), std::vector<std::string>());
 }
 
+TEST(Program, anAsciiRestartGoesOnToTheWritePrecision)
+{
+    const Files start{{"constant/grainProperties", restingGrains}};
+    const ProgramCase whole(start, "endTime 0.02;"), parts(start);
+    for (const ProgramRun& run : {whole.run(), parts.run()}) EXPECT_TRUE(succeeds(run));
+    parts.writeControl("endTime 0.02;");
+    EXPECT_TRUE(succeeds(parts.run()));
+    const double energy = whole.reported("0", "kineticEnergy").at(19);
+    EXPECT_GT(whole.reported("0", "contacts").at(9), 0);
+    // Twelve digits are written; contacts and the fluid's iterations magnify what is lost.
+    EXPECT_NEAR(parts.reported("0.01", "kineticEnergy").at(9), energy, 1e-8*energy);
+}
+
+TEST(Program, goesOnWhenAllGrainsHaveLeft)
+{
+    for (const char* fluid : {"none", "solved"})
+    {
+        const ProgramCase c(Files
+        {
+            {"constant/grainProperties", restingGrains + "grains { velocity (0 0 30); } fluid " + fluid + ";"},
+            {"constant/transportProperties", "transportModel Newtonian; nu 1e-5; rho 1;"}
+        });
+        EXPECT_TRUE(succeeds(c.run()));
+        EXPECT_EQ(c.reported("0", "grains").front(), 75) << fluid;
+        EXPECT_EQ(c.reported("0", "grains").back(), 0) << fluid;
+        EXPECT_EQ(c.reported("0", "exited").back(), 75) << fluid;
+        c.writeControl("endTime 0.012;");
+        EXPECT_TRUE(succeeds(c.run()));
+        EXPECT_EQ(c.reported("0.01", "exited").back(), 75) << fluid;
+    }
+}
+
 TEST(Program, theCloudIsReadByOpenFOAMsOwnTools)
 {
     const ProgramCase c(Files{{"constant/grainProperties", restingGrains}});
