@@ -182,7 +182,7 @@ TEST(GrainCloud, numbersOfTheRunKeepEveryBitInAnyFormat)
 
 TEST(GrainCloud, mayBeEmpty)
 {
-    for (const word& format : {"ascii", "binary"})
+    for (const word format : {"ascii", "binary"})
     {
         const GrainState back = roundTrip(inFormat(format), randomState(0));
         EXPECT_EQ(back.grains.size(), 0u);
