@@ -34,7 +34,7 @@ constexpr scalar lightFluid = 0.05;
 bool CoupledRun::nextStep()
 {
     if (!time_.run()) return false;
-    if (time_.timeIndex() > time_.startTimeIndex()) adjustTimeStep(time_, reach_, properties_.time.maxGrainDisplacement);
+    if (reach_.isKnown) adjustTimeStep(time_, reach_, properties_.time.maxGrainDisplacement);
     ++time_;
     if (hasFluid()) immersion_->sources.beginStep();
     return true;
