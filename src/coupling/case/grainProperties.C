@@ -154,6 +154,7 @@ ForceSettings readForces(const CheckedDict& top)
     drag.finish();
     settings.pressureGradient = given.flag("pressureGradient", settings.pressureGradient);
     settings.viscous = given.flag("viscous", settings.viscous);
+    settings.spinDrag = given.flag("spinDrag", settings.spinDrag);
     given.finish();
     return settings;
 }
