@@ -258,6 +258,17 @@ TEST(BadStart, motionOutOfThePlaneOfA2DCase)
     EXPECT_TRUE(holds(c.complaintAbout("shape sphere;" + start + lattice + "} }", vector(0, -9.81, 0)), {"shape", "2D", "disc"}));
 }
 
+TEST(BadStart, aMeanFlowNeedsCyclicPatches)
+{
+    BoxMeshSettings settings;
+    settings.patchTypes = {"cyclic", "cyclic", "wall", "wall", "wall", "wall"};
+    Case c(settings);
+    const std::string grains = start + "grains {}\n";
+    EXPECT_EQ(c.complaintAbout(grains + "meanFlow (0.1 0 0);"), "");
+    EXPECT_TRUE(holds(c.complaintAbout(grains + "meanFlow (0.1 0 0.2);"),
+        {"meanFlow", "(0.1 0 0.2)", "cyclic", "component z", "constant/grainProperties line 6"}));
+}
+
 TEST(BadStart, timeStepMustBePositive)
 {
     BoxMeshSettings settings;
