@@ -11,6 +11,7 @@
 #include "fvcDiv.H"
 #include "fvmLaplacian.H"
 #include "linear.H"
+#include "surfaceInterpolate.H"
 
 namespace Foam
 {
@@ -22,7 +23,7 @@ namespace
 
 tmp<surfaceScalarField> fluxOf(const volVectorField& cells)
 {
-    return cells.mesh().Sf() & linearInterpolate(cells);
+    return cells.mesh().Sf() & fvc::interpolate(cells, "flux(HbyA)");
 }
 
 // What the mixture of fluid and grains does when the fluid alone obeys the given law.
