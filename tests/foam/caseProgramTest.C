@@ -152,6 +152,32 @@ TEST(Program, stopsAtSolversThatAreMissingOrUnknown)
     EXPECT_TRUE(isRefusedWith(file, solvers(pressure, "\"U.*\" { solver PCG;"), {"fvSolution", "PCG", "PBiCGStab"}));
 }
 
+TEST(Program, stopsAtWhatTheTurbulenceModelLacks)
+{
+    const auto field = [](const std::string& dimensions, const std::string& value)
+    {
+        return "dimensions " + dimensions + "; internalField uniform " + value
+            + "; boundaryField { \".*\" { type zeroGradient; } }";
+    };
+    Files files =
+    {
+        {"constant/turbulenceProperties", "simulationType LES; LES { LESModel kEqn; turbulence on; printCoeffs off;"
+            " delta cubeRootVol; cubeRootVolCoeffs { deltaCoeff 1; } }"},
+        {"0/nut", field("[0 2 -1 0 0 0 0]", "0")}
+    };
+    EXPECT_TRUE(isRefused(ProgramCase(files), {"0/k"}));
+    files["0/k"] = field("[0 2 -2 0 0 0 0]", "1e-4");
+    EXPECT_TRUE(isRefused(ProgramCase(files), {"fvSolution", "kFinal"}));
+    const std::string rest = "preconditioner none; tolerance 1e-9; relTol 0; }";
+    files["system/fvSolution"] =
+        "solvers { \"p_rgh.*\" { solver PCG; " + rest + "\"(U|k).*\" { solver PBiCGStab; " + rest + "} PIMPLE {}";
+    EXPECT_TRUE(succeeds(ProgramCase(files).run()));
+    files["system/fvSchemes"] =
+        "ddtSchemes { default Euler; } divSchemes { div(phi,U) Gauss upwind; div((nuEff*dev2(T(grad(U))))) Gauss linear; }"
+        + schemes;
+    EXPECT_TRUE(isRefused(ProgramCase(files), {"fvSchemes", "div(phi,k)"}));
+}
+
 TEST(Program, refusesToRunInParallel)
 {
     EXPECT_TRUE(isRefused(ProgramCase(), {"one rank only"}, "-parallel"));
