@@ -252,14 +252,16 @@ TEST(Program, aRunWithAdjustedStepsGoesOnFromAWrittenTimeAsIfNeverStopped)
 
 TEST(Program, anAsciiRestartGoesOnToTheWritePrecision)
 {
-    const Files start{{"constant/grainProperties", restingGrains}};
+    // A solve that stops by a coarse tolerance may stop a sweep earlier for the last digit of its start.
+    const std::string solver = "solver { tolerance 1e-9; displacementTolerance 1e-12; maxSweeps 100000; } fluid none;";
+    const Files start{{"constant/grainProperties", restingGrains + solver}};
     const ProgramCase whole(start, "endTime 0.02;"), parts(start);
     for (const ProgramRun& run : {whole.run(), parts.run()}) EXPECT_TRUE(succeeds(run));
     parts.writeControl("endTime 0.02;");
     EXPECT_TRUE(succeeds(parts.run()));
     const double energy = whole.reported("0", "kineticEnergy").at(19);
     EXPECT_GT(whole.reported("0", "contacts").at(9), 0);
-    // Twelve digits are written; contacts and the fluid's iterations magnify what is lost.
+    // Twelve digits are written; shocks magnify what is lost.
     EXPECT_NEAR(parts.reported("0.01", "kineticEnergy").at(9), energy, 1e-8*energy);
 }
 
