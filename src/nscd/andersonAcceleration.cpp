@@ -31,23 +31,27 @@ struct LaneSums
 
 } // namespace
 
-AndersonAcceleration::Impulses gatherImpulses(const std::vector<ContactBlock>& blocks)
+AndersonAcceleration::Impulses gatherImpulses(const std::vector<ContactBlock>& blocks, BlockRange range)
 {
-    AndersonAcceleration::Impulses r(blocks.size()*blockSize);
-    double* out = r.data();
-    for (const ContactBlock& block : blocks) out = std::copy(&block.r[0][0], &block.r[0][0] + blockSize, out);
+    AndersonAcceleration::Impulses r(range.count*blockSize);
+    for (std::size_t k = 0; k < range.count; ++k)
+    {
+        const double* held = &blocks[range[k]].r[0][0];
+        std::copy(held, held + blockSize, r.data() + k*blockSize);
+    }
     return r;
 }
 
-AndersonAcceleration::AndersonAcceleration(std::size_t blocks)
+AndersonAcceleration::AndersonAcceleration(BlockRange range)
 :
-    previousImage_(blocks*blockSize),
-    previousDefect_(blocks*blockSize)
+    range_(range),
+    previousImage_(range.count*blockSize),
+    previousDefect_(range.count*blockSize)
 {
     for (int column = 0; column < depth; ++column)
     {
-        imageDifference_[column].resize(blocks*blockSize);
-        defectDifference_[column].resize(blocks*blockSize);
+        imageDifference_[column].resize(range.count*blockSize);
+        defectDifference_[column].resize(range.count*blockSize);
     }
     forget();
 }
@@ -65,14 +69,15 @@ void AndersonAcceleration::addDifferences(const std::vector<ContactBlock>& block
     float* image = imageDifference_[column_].data();
     float* newest = defectDifference_[column_].data();
     LaneSums gram[depth], projection[depth];
-    for (std::size_t k = 0; k < blocks.size(); ++k)
+    for (std::size_t k = 0; k < range_.count; ++k)
     {
+        const ContactBlock& block = blocks[range_[k]];
         double weight[blockLanes];
-        for (int l = 0; l < blockLanes; ++l) weight[l] = 1.0/std::max(blocks[k].invWn[l], 1e-300);
+        for (int l = 0; l < blockLanes; ++l) weight[l] = 1.0/std::max(block.invWn[l], 1e-300);
         for (int m = 0; m < 3; ++m)
         {
             const std::size_t at = k*blockSize + m*blockLanes;
-            const double* now = blocks[k].r[m];
+            const double* now = block.r[m];
             double f[blockLanes], df[blockLanes];
             for (int l = 0; l < blockLanes; ++l)
             {
@@ -115,7 +120,7 @@ AndersonAcceleration::Gamma AndersonAcceleration::solveLeastSquares() const
 
 void AndersonAcceleration::remember(const std::vector<ContactBlock>& blocks, Impulses& r)
 {
-    previousImage_ = gatherImpulses(blocks);
+    previousImage_ = gatherImpulses(blocks, range_);
     for (std::size_t i = 0; i < previousImage_.size(); ++i) previousDefect_[i] = static_cast<float>(previousImage_[i] - r[i]);
     r = previousImage_;
     hasPrevious_ = true;

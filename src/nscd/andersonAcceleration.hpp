@@ -13,7 +13,7 @@
 namespace nscd
 {
 
-/// Anderson mixing for r -> F(r), r the impulses of all blocks (Walker & Ni 2011, eq. 2.2, difference form):
+/// Anderson mixing for r -> F(r), r the impulses of some blocks (Walker & Ni 2011, eq. 2.2, difference form):
 /// with f = F(r) - r, r_new = F(r) - dF gamma, gamma = argmin |f - df gamma| over the last differences df of f and dF of F(r).
 /// The norm is that of velocities in contacts, |f|^2 = sum of W_nn f_k^2.
 class AndersonAcceleration
@@ -25,7 +25,8 @@ public:
     /// Impulses as one vector: x, y, z of eight lanes for each block.
     using Impulses = std::vector<double>;
 
-    explicit AndersonAcceleration(std::size_t blocks);
+    /// For the blocks of a range, which must stay as it is.
+    explicit AndersonAcceleration(BlockRange range);
 
     /// Turns `r` into the next iterate of the map whose last application led from `r` to what the blocks hold, before
     /// its projection on the friction cones; to the blocks' impulses themselves until there are differences to mix.
@@ -44,6 +45,7 @@ private:
     void addDifferences(const std::vector<ContactBlock>& blocks, const Impulses& r);
     Gamma solveLeastSquares() const;
 
+    BlockRange range_;
     int column_ = 0;      ///< of the newest difference
     int stored_ = 0;
     bool hasPrevious_ = false;
@@ -56,6 +58,6 @@ private:
 };
 
 /// The impulses the blocks hold.
-AndersonAcceleration::Impulses gatherImpulses(const std::vector<ContactBlock>& blocks);
+AndersonAcceleration::Impulses gatherImpulses(const std::vector<ContactBlock>& blocks, BlockRange range);
 
 } // namespace nscd

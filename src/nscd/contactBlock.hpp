@@ -45,12 +45,22 @@ struct DefectSums
     double active;       ///< number of contacts that carry an impulse before or after
 };
 
-/// One pass over all blocks. A sweep updates impulses and velocities in place, an evaluation changes nothing.
-using SweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, std::size_t nBlocks);
+/// Blocks in the order they are visited: `count` indices, or the first `count` blocks if there is no list.
+struct BlockRange
+{
+    const std::uint32_t* index;
+    std::size_t count;
 
-/// Replaces all impulses by the admissible ones nearest to `target` (blocks x 24: x, y, z of eight lanes each) in the cone's
-/// normal and tangential directions, and the velocities with them; `target` receives what was set.
-using ReplaceFunction = void (*)(Body* bodies, ContactBlock* blocks, std::size_t nBlocks, double* target);
+    std::size_t operator[](std::size_t k) const { return index ? index[k] : k; }
+};
+
+/// One pass over blocks. A sweep updates impulses and velocities in place, an evaluation changes nothing.
+using SweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, BlockRange range);
+
+/// Replaces the impulses of blocks by `target` (24 numbers a block of the range: x, y, z of eight lanes each), made admissible by
+/// cutting attraction off and scaling the tangential part into the friction disc, and moves the velocities along; `target`
+/// receives what was set.
+using ReplaceFunction = void (*)(Body* bodies, ContactBlock* blocks, BlockRange range, double* target);
 
 struct SweepKernels
 {

@@ -36,6 +36,8 @@ struct ContactList
     std::vector<std::array<signed char, 3>> image;  ///< periodic shift of body B, in periods
     std::vector<double> restitution;        ///< empty if no pair of materials has any
 
+    std::vector<std::uint32_t> awake;       ///< blocks that can matter in this step, ascending; set by prepareSlots
+
     std::size_t candidates = 0;
     std::vector<int> wallSlots;             ///< slots of outlined walls, grouped by body, for the suppression of ghost contacts
     std::vector<int> wallSlotStart;         ///< group k is wallSlots[wallSlotStart[k] .. wallSlotStart[k+1])

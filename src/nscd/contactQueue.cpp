@@ -28,13 +28,16 @@ bool isMovable(const ContactProblem& problem, std::int32_t body) { return proble
 
 } // namespace
 
-ContactQueue::ContactQueue(ContactProblem& problem)
+ContactQueue::ContactQueue(ContactProblem& problem, BlockRange range)
 :
     problem_(problem)
 {
-    for (std::size_t slot = 0; slot < problem.blocks.size()*blockLanes; ++slot)
+    for (std::size_t k = 0; k < range.count; ++k)
     {
-        if (isUsed(problem.blocks[slot/blockLanes], slot % blockLanes)) used_.push_back(slot);
+        for (int lane = 0; lane < blockLanes; ++lane)
+        {
+            if (isUsed(problem.blocks[range[k]], lane)) used_.push_back(range[k]*blockLanes + lane);
+        }
     }
     groupByBody();
 }

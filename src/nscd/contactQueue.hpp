@@ -15,7 +15,8 @@ namespace nscd
 class ContactQueue
 {
 public:
-    explicit ContactQueue(ContactProblem& problem);
+    /// Of the contacts in a range of blocks.
+    ContactQueue(ContactProblem& problem, BlockRange range);
 
     /// Contacts whose velocity defect exceeds the threshold [m/s].
     std::vector<std::size_t> defective(double threshold) const;

@@ -12,9 +12,19 @@
 namespace nscd
 {
 
-bool StopRule::isMet(const DefectSums& sums) const
+namespace
 {
-    return sums.sumSquares <= rmsLimit*rmsLimit*std::max(1.0, sums.active) && sums.maxSquare <= maxLimit*maxLimit;
+
+/// Limits of a polished solution per unit of motion, and at least: a step then takes about a decade off the noise.
+constexpr double polishPerMotion = 10.0;
+constexpr double finestPolish = 3e-3;
+
+} // namespace
+
+bool StopRule::isWithin(const DefectSums& sums, double factor) const
+{
+    const double rms2 = factor*rmsLimit*factor*rmsLimit, max2 = factor*maxLimit*factor*maxLimit;
+    return sums.sumSquares <= rms2*std::max(1.0, sums.active) && sums.maxSquare <= max2;
 }
 
 double rms(const DefectSums& sums) { return std::sqrt(sums.sumSquares/std::max(1.0, sums.active)); }
@@ -23,13 +33,32 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
 {
     const double lengthRate = problem.diameter/problem.deltaT;
     const double speed = std::max({problem.speedScale, 1e-3*rms(first), 1e-3*settings.deadBand*lengthRate});
-    return {settings.tolerance*speed, settings.displacementTolerance*lengthRate, speed};
+    const double polish = std::min(1.0, std::max(finestPolish, polishPerMotion*problem.motion));
+    return {settings.tolerance*speed, settings.displacementTolerance*lengthRate, speed, polish};
 }
 
 DefectSums residual(const ContactProblem& problem)
 {
     const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
-    return evaluate(problem.bodies.data(), problem.blocks.data(), problem.blocks.size());
+    return evaluate(problem.bodies.data(), problem.blocks.data(), problem.all());
+}
+
+bool wakeBlocks(ContactProblem& problem)
+{
+    const std::size_t before = problem.awake.size();
+    std::vector<std::uint32_t> awake;
+    std::size_t next = 0;
+    for (std::uint32_t k = 0; k < problem.blocks.size(); ++k)
+    {
+        const bool isAwake = next < before && problem.awake[next] == k;
+        if (isAwake) ++next;
+        // Asleep, nothing is carried: what the law asks for is normal, so the frictionless evaluation tells.
+        if (isAwake || problem.kernels.evaluateFrictionless(problem.bodies.data(), &problem.blocks[k], {nullptr, 1}).active > 0.0) awake.push_back(k);
+    }
+    // Ranges of the list stay valid unless it grows.
+    if (awake.size() == before) return false;
+    problem.awake = std::move(awake);
+    return true;
 }
 
 void applyImpulse(Body& a, Body& b, const double n[3], const double delta[3])

@@ -20,22 +20,36 @@ struct ContactProblem
 {
     std::vector<Body>& bodies;
     std::vector<ContactBlock>& blocks;
+    /// Blocks worth sweeping, ascending; the others carry no impulse, and a solver adds those that turn out to.
+    std::vector<std::uint32_t>& awake;
     const SweepKernels& kernels;
     bool isFrictional;
     double deltaT;        ///< [s]
     double speedScale;    ///< from the forces of the step [m/s]
     double diameter;      ///< mean d [m]
+    /// Mean over the grains of min(1, speed/speedScale) before the step: 1 in a flow, small in a bed at rest.
+    double motion = 1.0;
+
+    BlockRange all() const { return {nullptr, blocks.size()}; }
+    BlockRange active() const { return {awake.data(), awake.size()}; }
 };
 
 /// Stop rule, absolute (grains.md sections 2 and 9): rms defect <= tolerance vs and largest defect dt <= displacementTolerance d, with
 /// vs = max(speed scale of the forces, 1e-3 rms defect of the first pass, 1e-3 dead band/dt).
+/// What the rule leaves of defects is the noise of a bed at rest: grains keep moving by it, contacts leave the dead band, and the
+/// bed creeps. So a bed that hardly moves is polished: limits shrink with its motion, down to 3e-3 of themselves, for some more sweeps.
 struct StopRule
 {
     double rmsLimit;
     double maxLimit;
     double speedScale;
+    double polish;       ///< factor of both limits for a polished solution
 
-    bool isMet(const DefectSums& sums) const;
+    bool isMet(const DefectSums& sums) const { return isWithin(sums, 1.0); }
+    bool isPolished(const DefectSums& sums) const { return isWithin(sums, polish); }
+
+private:
+    bool isWithin(const DefectSums& sums, double factor) const;
 };
 
 /// `first` are the defects of the first pass: the approach speeds the solve has to deal with.
@@ -44,6 +58,9 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
 /// The residual every solver is judged by: natural map in velocity units,
 /// e_n = W_nn |r_n - max(0, r_n - (u_n + b)/W_nn)|, e_t = W_tt |r_t - Proj_{mu r_n}(r_t - u_t/W_tt)|; rms over active contacts, and max.
 DefectSums residual(const ContactProblem& problem);
+
+/// Wakes sleeping blocks in which a contact should carry an impulse at the present velocities. Returns whether there were any.
+bool wakeBlocks(ContactProblem& problem);
 
 /// Root mean square over the active contacts [m/s].
 double rms(const DefectSums& sums);

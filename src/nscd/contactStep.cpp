@@ -40,6 +40,41 @@ Vec3 warmStart(const Vec3& r, const Vec3& n, double friction)
     return rn*n + (size > friction*rn ? Vec3(t*(friction*rn/size)) : t);
 }
 
+/// Sets W and bias of a block's slots. Returns whether the block can matter in this step.
+bool setLaws(ContactList& list, std::size_t k, double deltaT, double deadBand)
+{
+    ContactBlock& block = list.blocks[k];
+    bool isAwake = false;
+    for (int lane = 0; lane < blockLanes; ++lane)
+    {
+        const std::size_t slot = k*blockLanes + lane;
+        if (!list.isUsed(slot)) continue;
+        const Body& a = list.bodies[block.a[lane]];
+        const Body& b = list.bodies[block.b[lane]];
+        const double wn = a.invMass + b.invMass;
+        block.invWn[lane] = 1.0/wn;
+        block.invWt[lane] = 1.0/(wn + a.invSpin + b.invSpin);
+        block.bias[lane] = std::min(unreachable, std::max(0.0, list.gap[slot] - deadBand)/deltaT);
+        double un = 0.0;
+        for (int axis = 0; axis < 3; ++axis) un += (a.v[axis] - b.v[axis])*block.n[axis][lane];
+        isAwake = isAwake || block.bias[lane] == 0.0 || un + block.bias[lane] < 0.0 || impulse(list, slot) != Vec3::Zero();
+    }
+    return isAwake;
+}
+
+/// Gives a slot the impulse it carried in the last step, if any.
+void startWarm(ContactList& list, std::size_t slot, double impulseScale)
+{
+    const Vec3 old = impulse(list, slot);
+    if (!list.isUsed(slot) || old == Vec3::Zero()) return;
+    ContactBlock& block = list.blocks[slot/blockLanes];
+    const int lane = slot % blockLanes;
+    const Vec3 n = normal(list, slot);
+    const Vec3 r = warmStart(impulseScale*old, n, block.friction[lane]);
+    setImpulse(list, slot, r);
+    applyImpulse(list.bodies[block.a[lane]], list.bodies[block.b[lane]], n.data(), r.data());
+}
+
 } // namespace
 
 void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT)
@@ -71,24 +106,14 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
 
 void prepareSlots(ContactList& list, double deltaT, double deadBand, double impulseScale)
 {
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    list.awake.clear();
+    for (std::size_t k = 0; k < list.blocks.size(); ++k)
     {
-        if (!list.isUsed(slot)) continue;
-        ContactBlock& block = list.blocks[slot/blockLanes];
-        const int lane = slot % blockLanes;
-        Body& a = list.bodies[block.a[lane]];
-        Body& b = list.bodies[block.b[lane]];
-        const double wn = a.invMass + b.invMass;
-        block.invWn[lane] = 1.0/wn;
-        block.invWt[lane] = 1.0/(wn + a.invSpin + b.invSpin);
-        block.bias[lane] = std::min(unreachable, std::max(0.0, list.gap[slot] - deadBand)/deltaT);
-
-        const Vec3 old = impulse(list, slot);
-        if (old == Vec3::Zero()) continue;
-        const Vec3 n = normal(list, slot);
-        const Vec3 r = warmStart(impulseScale*old, n, block.friction[lane]);
-        setImpulse(list, slot, r);
-        applyImpulse(a, b, n.data(), r.data());
+        if (setLaws(list, k, deltaT, deadBand)) list.awake.push_back(static_cast<std::uint32_t>(k));
+    }
+    for (std::uint32_t k : list.awake)
+    {
+        for (int lane = 0; lane < blockLanes; ++lane) startWarm(list, k*blockLanes + lane, impulseScale);
     }
 }
 

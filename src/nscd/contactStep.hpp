@@ -15,7 +15,8 @@ namespace nscd
 /// Errors:  std::invalid_argument for a force that is not finite, naming the grain
 void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT);
 
-/// Sets W, bias and warm start of every slot, and adds the warm-start impulses to the bodies.
+/// Sets W, bias and warm start of every slot, and adds the warm-start impulses to the bodies, which hold free velocities before.
+/// A block sleeps if none of its contacts carries an impulse, is closed, or closes in the free motion.
 /// Bias: (g - e)/dt where g > e, zero where |g| <= e or the gap is smaller (overlap is not corrected through velocity).
 /// Warm start: impulses times impulseScale = dt_new/dt_old, tangential part turned into the new tangent plane and friction disc.
 void prepareSlots(ContactList& list, double deltaT, double deadBand, double impulseScale);

@@ -72,6 +72,7 @@ struct GrainDynamics::Implementation
     void clearForces();
     void rebuildList(const std::vector<Vec3>& velocity);
     SolveReport solveVelocities(const ExternalForces& external);
+    double measureMotion(double speedScale) const;
     SolveReport solveOnce(const ExternalForces& external);
     void rebound(const ExternalForces& external, SolveReport& report);
     void correctPositions(StepReport& report);
@@ -96,15 +97,27 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     restored.clear();
     if (impulses.empty()) impulses = collectImpulses(list);
 
+    // A slow grain may be hit, and be as fast as the others at the end of the step.
+    double sum2 = 0.0;
+    for (const Vec3& v : velocity) sum2 += v.squaredNorm();
+    const double commonSpeed = std::sqrt(sum2/std::max<std::size_t>(1, velocity.size()));
     std::vector<double> reach(grains.size());
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        reach[i] = 0.5*settings.skin*diameter + stepsPerList*deltaT*velocity[i].norm();
+        reach[i] = 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
     }
     list = buildContactList(scene(), reach);
     updateGeometry(list, scene());
     assignImpulses(list, impulses);
     isListStale = false;
+}
+
+double GrainDynamics::Implementation::measureMotion(double speedScale) const
+{
+    if (!(speedScale > 0.0) || grains.size() == 0) return 1.0;
+    double sum = 0.0;
+    for (const Vec3& v : grains.velocity) sum += std::min(1.0, v.norm()/speedScale);
+    return sum/grains.size();
 }
 
 SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external)
@@ -116,7 +129,8 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
         impulseDeltaT = deltaT;
     }
     const Stopwatch watch(times.solveContacts);
-    ContactProblem problem{list.bodies, list.blocks, kernels, isFrictional, deltaT, external.speedScale, diameter};
+    ContactProblem problem{list.bodies, list.blocks, list.awake, kernels, isFrictional, deltaT, external.speedScale, diameter};
+    problem.motion = measureMotion(external.speedScale);
     return solve(problem, settings);
 }
 
@@ -150,7 +164,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
 
     const std::vector<ContactBlock> beforeShock = list.blocks;
-    ContactProblem problem{list.bodies, list.blocks, kernels, isFrictional, deltaT, external.speedScale, diameter};
+    ContactProblem problem{list.bodies, list.blocks, list.awake, kernels, isFrictional, deltaT, external.speedScale, diameter};
     const SolveReport shock = solve(problem, settings);
     report.sweeps += shock.sweeps;
     report.converged = report.converged && shock.converged;

@@ -11,6 +11,14 @@
 namespace nscd
 {
 
+namespace
+{
+
+/// Whether sleeping contacts are looked at after this sweep: often at first, when velocities change most.
+bool isWakingDue(int sweeps) { return sweeps % 64 == 0 || (sweeps & (sweeps - 1)) == 0; }
+
+} // namespace
+
 SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings)
 {
     SolveReport report;
@@ -18,17 +26,21 @@ SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings)
 
     const SweepFunction sweep = problem.isFrictional ? problem.kernels.sweep : problem.kernels.sweepFrictionless;
     StopRule rule{};
+    int polishing = 0;
     SlowSolve slowSolve(problem);
     while (report.sweeps < settings.maxSweeps)
     {
-        const DefectSums sums = sweep(problem.bodies.data(), problem.blocks.data(), problem.blocks.size());
+        const DefectSums sums = sweep(problem.bodies.data(), problem.blocks.data(), problem.active());
         if (!std::isfinite(sums.sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
         if (++report.sweeps == 1) rule = makeStopRule(problem, settings, sums);
-        if (rule.isMet(sums))
+        const bool isFineEnough = rule.isPolished(sums) || polishing == settings.polishSweeps;
+        if (rule.isMet(sums) && !isFineEnough) ++polishing;
+        else if (rule.isMet(sums))
         {
             reportResidual(report, rule, residual(problem));
             if (report.converged) return report;
         }
+        if ((rule.isMet(sums) || isWakingDue(report.sweeps)) && wakeBlocks(problem)) slowSolve.forget();
         if (settings.accelerate) report.sweeps += slowSolve.afterSweep(report.sweeps, sums, rule);
     }
     reportResidual(report, rule, residual(problem));

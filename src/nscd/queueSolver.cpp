@@ -12,7 +12,7 @@ namespace nscd
 SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings)
 {
     SolveReport report;
-    ContactQueue queue(problem);
+    ContactQueue queue(problem, problem.all());
     const std::size_t used = queue.slots().size();
     if (used == 0) return report;
 
@@ -28,6 +28,11 @@ SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings)
         threshold *= 0.5;
     }
     while (!report.converged && visits < maxVisits);
+    if (report.converged && rule.polish < 1.0)
+    {
+        visits += queue.work(queue.slots(), rule.polish*threshold, used*static_cast<std::size_t>(settings.polishSweeps));
+        reportResidual(report, rule, residual(problem));
+    }
     report.sweeps = static_cast<int>((visits + used - 1)/used);
     return report;
 }

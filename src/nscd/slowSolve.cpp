@@ -4,6 +4,7 @@
 // Anderson mixing with a safeguard, and a queue for the last bad contacts.
 #include "slowSolve.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nscd
@@ -23,6 +24,9 @@ constexpr int sweepsPerMixing = 3;
 constexpr double growthAllowed = 4.0;
 /// All is well but for a few contacts: rms below this many times its limit, the largest above its own.
 constexpr double nearlyMet = 2.0;
+/// Sweeps in which mixing must bring the sum of squared defects below this share, else it pauses: high friction can trap it.
+constexpr double leastProgress = 0.64;
+constexpr int probation = 60;
 constexpr int sweepsBetweenQueues = 10;
 constexpr std::size_t sweepsPerQueue = 20;
 
@@ -32,9 +36,12 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
 {
     if (!anderson_)
     {
-        if (sweeps % patience == 0 && isSlow(sums)) start();
+        if (sweeps % patience == 0 && isSlow(sums)) start(sweeps);
         return 0;
     }
+    best_ = std::min(best_, sums.sumSquares);
+    if (sweeps >= endOfTerm_) judgeTerm(sweeps);
+    if (isPausing_) return isLocal(sweeps, sums, rule) ? solveLocally(sweeps, rule) : 0;
     ++sinceMixing_;
     if (isMixed_ && sinceMixing_ == 1 && sums.sumSquares > growthAllowed*squaresBefore_)
     {
@@ -53,18 +60,44 @@ bool SlowSolve::isSlow(const DefectSums& sums)
     return isSlow;
 }
 
-void SlowSolve::start()
+void SlowSolve::start(int sweeps)
 {
-    anderson_ = std::make_unique<AndersonAcceleration>(problem_.blocks.size());
-    start_ = gatherImpulses(problem_.blocks);
+    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active());
+    endOfTerm_ = sweeps + probation;
+    restart();
+}
+
+void SlowSolve::forget()
+{
+    queue_.reset();
+    if (!anderson_) return;
+    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active());
+    restart();
+}
+
+void SlowSolve::restart()
+{
+    anderson_->forget();
+    start_ = gatherImpulses(problem_.blocks, problem_.active());
     sinceMixing_ = 0;
+    isMixed_ = false;
+}
+
+void SlowSolve::judgeTerm(int sweeps)
+{
+    const bool isFailing = !isPausing_ && best_ > leastProgress*bestBefore_;
+    if (isPausing_) restart();
+    if (isFailing) pause_ *= 2;
+    isPausing_ = isFailing;
+    endOfTerm_ = sweeps + (isFailing ? pause_ : probation);
+    bestBefore_ = best_;
 }
 
 void SlowSolve::mix(const DefectSums& sums)
 {
     squaresBefore_ = sums.sumSquares;
     anderson_->mix(problem_.blocks, start_);
-    problem_.kernels.replaceImpulses(problem_.bodies.data(), problem_.blocks.data(), problem_.blocks.size(), start_.data());
+    problem_.kernels.replaceImpulses(problem_.bodies.data(), problem_.blocks.data(), problem_.active(), start_.data());
     sinceMixing_ = 0;
     isMixed_ = true;
 }
@@ -72,7 +105,7 @@ void SlowSolve::mix(const DefectSums& sums)
 void SlowSolve::revert()
 {
     start_ = anderson_->image();
-    problem_.kernels.replaceImpulses(problem_.bodies.data(), problem_.blocks.data(), problem_.blocks.size(), start_.data());
+    problem_.kernels.replaceImpulses(problem_.bodies.data(), problem_.blocks.data(), problem_.active(), start_.data());
     anderson_->forget();
     sinceMixing_ = 0;
     isMixed_ = false;
@@ -86,15 +119,12 @@ bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule
 
 int SlowSolve::solveLocally(int sweeps, const StopRule& rule)
 {
-    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_);
+    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, problem_.active());
     const std::size_t used = queue_->slots().size();
     const double threshold = 0.5*rule.maxLimit;
     const std::size_t visits = queue_->work(queue_->defective(threshold), threshold, sweepsPerQueue*used);
     lastLocal_ = sweeps;
-    anderson_->forget();
-    start_ = gatherImpulses(problem_.blocks);
-    sinceMixing_ = 0;
-    isMixed_ = false;
+    restart();
     return static_cast<int>((visits + used - 1)/used);
 }
 

@@ -24,11 +24,16 @@ public:
     /// Returns the work done beside sweeps, in sweeps.
     int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule);
 
+    /// To be called when blocks woke up: what was collected about the others is of no use.
+    void forget();
+
 private:
     bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const;
     int solveLocally(int sweeps, const StopRule& rule);
     bool isSlow(const DefectSums& sums);
-    void start();
+    void start(int sweeps);
+    void restart();
+    void judgeTerm(int sweeps);
     void mix(const DefectSums& sums);
     void revert();
 
@@ -39,6 +44,11 @@ private:
     int sinceMixing_ = 0;
     int lastLocal_ = 0;
     bool isMixed_ = false;
+    int pause_ = 30;
+    int endOfTerm_ = 0;
+    bool isPausing_ = false;
+    double best_ = std::numeric_limits<double>::max();
+    double bestBefore_ = std::numeric_limits<double>::max();
     double squaresBefore_ = std::numeric_limits<double>::max();
 };
 

@@ -102,15 +102,15 @@ inline void solveLanes(Body* bodies, ContactBlock& block, int first, typename V:
 }
 
 template<class V, bool isFrictional, bool isUpdate>
-DefectSums passOverBlocks(Body* bodies, ContactBlock* blocks, std::size_t nBlocks)
+DefectSums passOverBlocks(Body* bodies, ContactBlock* blocks, BlockRange range)
 {
     typename V::Real sum2 = V::zero(), max2 = V::zero(), active = V::zero();
-    for (std::size_t k = 0; k < nBlocks; ++k)
+    for (std::size_t k = 0; k < range.count; ++k)
     {
-        if (k + 2 < nBlocks) V::prefetch(bodies, blocks[k + 2]);
+        if (k + 2 < range.count) V::prefetch(bodies, blocks[range[k + 2]]);
         for (int first = 0; first < blockLanes; first += V::lanes)
         {
-            solveLanes<V, isFrictional, isUpdate>(bodies, blocks[k], first, sum2, max2, active);
+            solveLanes<V, isFrictional, isUpdate>(bodies, blocks[range[k]], first, sum2, max2, active);
         }
     }
     double sums[V::lanes], maxima[V::lanes], counts[V::lanes];
@@ -161,14 +161,14 @@ inline void replaceLanes(Body* bodies, ContactBlock& block, int first, double* t
 }
 
 template<class V>
-void replaceImpulses(Body* bodies, ContactBlock* blocks, std::size_t nBlocks, double* target)
+void replaceImpulses(Body* bodies, ContactBlock* blocks, BlockRange range, double* target)
 {
-    for (std::size_t k = 0; k < nBlocks; ++k)
+    for (std::size_t k = 0; k < range.count; ++k)
     {
-        if (k + 2 < nBlocks) V::prefetch(bodies, blocks[k + 2]);
+        if (k + 2 < range.count) V::prefetch(bodies, blocks[range[k + 2]]);
         for (int first = 0; first < blockLanes; first += V::lanes)
         {
-            replaceLanes<V>(bodies, blocks[k], first, target + k*3*blockLanes);
+            replaceLanes<V>(bodies, blocks[range[k]], first, target + k*3*blockLanes);
         }
     }
 }

@@ -4,7 +4,7 @@
 // Tests of written times: what is read back, in every format, and what is said about damaged files.
 #include "caseTools.H"
 
-#include "grainCloud.H"
+#include "case/grainCloud.H"
 #include "vectorConversion.H"
 
 #include "OSspecific.H"
@@ -85,7 +85,7 @@ BoxMeshSettings inFormat(const word& format, label precision = 17, bool isCompre
 
 RestartExpectation expectation()
 {
-    return {{"temperature"}, {"fContact"}, 3};
+    return {{"temperature"}, {"fContact"}, {"lastDeltaT", "exited"}, 3};
 }
 
 void write(BoxMesh& box, const GrainState& state)
@@ -182,7 +182,7 @@ TEST(GrainCloud, numbersOfTheRunKeepEveryBitInAnyFormat)
 
 TEST(GrainCloud, mayBeEmpty)
 {
-    for (const word& format : {"ascii", "binary"})
+    for (const word format : {"ascii", "binary"})
     {
         const GrainState back = roundTrip(inFormat(format), randomState(0));
         EXPECT_EQ(back.grains.size(), 0u);
@@ -226,15 +226,6 @@ TEST(GrainCloud, materialsAreFoundByName)
         {"no longer has", "value:   lead", "nearest: led", "grainState"}));
 }
 
-TEST(GrainCloud, isOnlyFoundWhereOneWasWritten)
-{
-    BoxMesh box;
-    ++box.time();
-    EXPECT_FALSE(hasGrainState(box.mesh()));
-    write(box, randomState(1));
-    EXPECT_TRUE(hasGrainState(box.mesh()));
-}
-
 TEST(BadRestart, missingOrTruncatedFilesAreNamed)
 {
     const std::vector<fileName> files =
@@ -251,6 +242,24 @@ TEST(BadRestart, missingOrTruncatedFilesAreNamed)
             EXPECT_TRUE(holds(complaintWithout(file, share), {file})) << "cut to " << share;
         }
     }
+}
+
+TEST(BadRestart, aTimeThatWasNotWrittenToItsEndIsNamed)
+{
+    BoxMesh box;
+    ++box.time();
+    EXPECT_FALSE(hasGrainState(box.mesh()));
+    write(box, randomState(5));
+    EXPECT_TRUE(hasGrainState(box.mesh()));
+    rm(box.time().timePath()/"uniform/grainState");
+    EXPECT_TRUE(holds(complaint([&] { hasGrainState(box.mesh()); }), {"0.001/uniform/grainState", "not written to its end", "remove"}));
+}
+
+TEST(BadRestart, numbersThatTheRunNeedsMustBeThere)
+{
+    GrainState state = randomState(1);
+    state.numbers.erase("exited");
+    EXPECT_TRUE(holds(complaint([&] { roundTrip(inFormat("ascii"), state); }), {"uniform/grainState", "exited"}));
 }
 
 TEST(BadRestart, filesOfDifferentTimesDoNotFit)

@@ -4,11 +4,11 @@
 // Tests of report.csv, of the seven timers, and of grains that leave.
 #include "caseTools.H"
 
-#include "grainExits.H"
-#include "grainReport.H"
-#include "grainScene.H"
-#include "logText.H"
-#include "timingTable.H"
+#include "case/grainExits.H"
+#include "case/grainReport.H"
+#include "case/grainScene.H"
+#include "case/logText.H"
+#include "case/timingTable.H"
 
 #include "OSspecific.H"
 

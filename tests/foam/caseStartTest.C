@@ -4,10 +4,10 @@
 // Tests of the first grains of a case: where they are put, and what is refused.
 #include "caseTools.H"
 
-#include "grainScene.H"
-#include "initialChecks.H"
-#include "materialsReader.H"
-#include "overlaps.H"
+#include "case/grainScene.H"
+#include "case/initialChecks.H"
+#include "case/materialsReader.H"
+#include "case/overlaps.H"
 
 #include "OFstream.H"
 #include "OSspecific.H"
@@ -162,6 +162,8 @@ TEST(BadStart, filesThatAreMissingOrTruncatedOrWrong)
     c.writeRaw("bed.txt", "");
     EXPECT_TRUE(holds(c.complaintAbout(start + "grains { bed { type table; file \"bad.txt\"; } }"),
         {"grains.bed", "does not exist", "nearest: bed.txt", "constant/grainProperties"}));
+    EXPECT_TRUE(holds(c.complaintAboutTable("# x y z d\n"), {"grains.bed", "holds no grain", "grains.txt", "constant/grainProperties"}));
+    EXPECT_TRUE(holds(c.complaintAboutPositions("()"), {"grains.bed", "holds no grain"}));
     EXPECT_TRUE(holds(c.complaintAboutPositions("(\n(0.1 0.1 0.1)\n(0.2 0.2"), {"positions", "truncated after 1", "line 3"}));
     EXPECT_TRUE(holds(c.complaintAboutPositions("(\n(0.1 0.1 0.1)\n"), {"positions", "truncated after 1"}));
     EXPECT_TRUE(holds(c.complaintAboutPositions(""), {"positions", "truncated after 0"}));

@@ -4,8 +4,8 @@
 // Tests of walls made from boundary faces: regions, outlines, areas, and that a closed surface stays closed.
 #include "caseTools.H"
 
-#include "coplanarRegions.H"
-#include "meshWalls.H"
+#include "case/coplanarRegions.H"
+#include "case/meshWalls.H"
 #include "vectorConversion.H"
 
 #include "primitivePatch.H"

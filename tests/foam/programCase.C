@@ -109,6 +109,11 @@ std::string ProgramCase::contents(const fileName& file) const
     return std::string((std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>());
 }
 
+std::string ProgramCase::latestTime() const
+{
+    return Time::findTimes(box_.casePath()).last().name();
+}
+
 std::vector<double> ProgramCase::reported(const std::string& startTime, const std::string& column) const
 {
     std::istringstream is(contents("postProcessing/grains/" + startTime + "/report.csv"));

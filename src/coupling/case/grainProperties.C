@@ -6,9 +6,11 @@
 #include "dictionaryCheck.H"
 #include "grainSourceReader.H"
 #include "materialsReader.H"
+#include "voidFractionMethods.H"
 
 #include "contactSolver.hpp"
 #include "dragLaws.hpp"
+#include "sweepKernels.hpp"
 
 #include "Time.H"
 #include "dimensionSets.H"
@@ -101,6 +103,14 @@ nscd::ContactSettings readContactSettings(const CheckedDict& top)
     s.skin = given.number("skin", atLeast(0), dimless, s.skin);
     s.accelerate = given.flag("accelerate", s.accelerate);
     s.vectorPath = given.choice("vectorPath", {"auto", "portable", "AVX2", "AVX512"}, s.vectorPath);
+    try
+    {
+        nscd::chooseKernels(s.vectorPath.c_str());
+    }
+    catch (const std::invalid_argument& error)
+    {
+        given.reject("vectorPath", "is not for this processor: " + string(error.what()), "auto");
+    }
     given.finish();
     return s;
 }
@@ -111,7 +121,7 @@ VoidFractionSettings readVoidFraction(const CheckedDict& top)
     const dictionary dict = top.subOrEmpty("voidFraction");
     const CheckedDict given(dict);
     VoidFractionSettings settings;
-    settings.method = given.choice("method", voidFractionMethods(), settings.method);
+    settings.method = given.choice("method", toWords(voidFractionMethodNames()), settings.method);
     settings.diffusion = given.number("diffusion", atLeast(0), dimless, settings.diffusion);
     settings.minFluidFraction =
         given.number("minFluidFraction", Range{0, 1, false, false}, dimless, settings.minFluidFraction);
@@ -174,13 +184,6 @@ void readCoupling(const CheckedDict& top, GrainProperties& properties)
 }
 
 } // namespace
-
-
-const Words& voidFractionMethods()
-{
-    static const Words methods = {"centroid", "satellite", "exact"};
-    return methods;
-}
 
 
 dictionary VoidFractionSettings::forMapping(scalar meanDiameter) const

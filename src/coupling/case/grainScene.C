@@ -44,7 +44,8 @@ vector readGravity(const Time& time)
     {
         fail
         ({
-            placeInDictionaryFile(g.objectPath(), "dimensions"), "has wrong dimensions", messageText(g.dimensions()), "[0 1 -2 0 0 0 0]"
+            placeInDictionaryFile(g.objectPath(), "dimensions"), "has wrong dimensions",
+            messageText(g.dimensions()), "[0 1 -2 0 0 0 0]"
         });
     }
     return g.value();

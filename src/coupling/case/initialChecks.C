@@ -75,7 +75,8 @@ void checkGravity(const vector& gravity, const GrainSpace& space, const Time& ti
     if (space.emptyAxis < 0 || gravity[space.emptyAxis] == 0) return;
     fail
     ({
-        placeInDictionaryFile(time.path()/time.constant()/"g", "value"), "has a component along the empty direction of a 2D mesh", messageText(gravity),
+        placeInDictionaryFile(time.path()/time.constant()/"g", "value"),
+        "has a component along the empty direction of a 2D mesh", messageText(gravity),
         messageText("0 for component ", word(vector::componentNames[space.emptyAxis]))
     });
 }
@@ -91,7 +92,8 @@ void checkPeriods(const nscd::PeriodicBox& box, const nscd::Grains& grains, cons
         fail
         ({
             placeInFile(mesh.boundaryMesh().objectPath(), "cyclic"), "makes a period shorter than a grain",
-            messageText(box.length[k], " along ", word(vector::componentNames[k])), messageText("more than the largest diameter, ", diameter)
+            messageText(box.length[k], " along ", word(vector::componentNames[k])),
+            messageText("more than the largest diameter, ", diameter)
         });
     }
 }
@@ -111,7 +113,8 @@ void checkInsideMesh(const nscd::Grains& grains, const polyMesh& mesh)
     fail
     ({
         placeInDictionaryFile(mesh.time().path()/mesh.time().constant()/"grainProperties", "grains"),
-        messageText("puts ", label(outside), " grains outside the mesh"), list, messageText("positions inside the mesh, bounded by ", mesh.bounds())
+        messageText("puts ", label(outside), " grains outside the mesh"), list,
+        messageText("positions inside the mesh, bounded by ", mesh.bounds())
     });
 }
 

@@ -67,9 +67,9 @@ void checkTimeScheme(const fvMesh& mesh, const word& name)
     fv::ddtScheme<vector>::New(mesh, mesh.ddtScheme(name));
 }
 
-void checkSchemes(const fvMesh& mesh, const surfaceScalarField& phi, bool hasGrains)
+void checkSchemes(const fvMesh& mesh, const surfaceScalarField& phi, bool isAveraged)
 {
-    checkTimeScheme(mesh, hasGrains ? "ddt(alpha.fluid,U)" : "ddt(U)");
+    checkTimeScheme(mesh, isAveraged ? "ddt(alpha.fluid,U)" : "ddt(U)");
     fv::convectionScheme<vector>::New(mesh, phi, mesh.divScheme("div(phi,U)"));
     fv::divScheme<tensor>::New(mesh, mesh.divScheme("div((nuEff*dev2(T(grad(U)))))"));
     fv::gradScheme<vector>::New(mesh, mesh.gradScheme("grad(U)"));
@@ -126,9 +126,9 @@ void checkTransportProperties(const Time& time)
 }
 
 
-void checkNumerics(const surfaceScalarField& phi, bool hasGrains)
+void checkNumerics(const surfaceScalarField& phi, bool isAveraged)
 {
-    checkSchemes(phi.mesh(), phi, hasGrains);
+    checkSchemes(phi.mesh(), phi, isAveraged);
     checkSolvers(phi.mesh());
 }
 

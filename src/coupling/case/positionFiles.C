@@ -23,6 +23,12 @@ namespace
 const char* const listLayout = "a list of positions, ( (x y z) (x y z) ... )";
 const char* const rowLayout = "rows of x y z d [material], in m";
 
+void checkHolds(std::size_t number, const fileName& path, const InputPlace& source)
+{
+    if (number > 0) return;
+    fail({source, "names a file that holds no grain", path, "a file with grains; for a case without any, grains {}"});
+}
+
 void checkExists(const fileName& path, const InputPlace& source)
 {
     if (isFile(path)) return;
@@ -117,7 +123,12 @@ std::vector<vector> readPositionsFile(const fileName& path, const InputPlace& so
     checkExists(path, source);
     IFstream is(path);
     token tok = skipHeader(is);
-    if (is.format() == IOstream::BINARY) return readBinary(is, tok);
+    if (is.format() == IOstream::BINARY)
+    {
+        const std::vector<vector> positions = readBinary(is, tok);
+        checkHolds(positions.size(), path, source);
+        return positions;
+    }
 
     const label stated = tok.isLabel() ? tok.labelToken() : -1;
     if (tok.isLabel()) tok = nextToken(is, 0);
@@ -133,6 +144,7 @@ std::vector<vector> readPositionsFile(const fileName& path, const InputPlace& so
     {
         failAt(is, "states " + Foam::name(stated) + " positions and holds " + Foam::name(label(positions.size())));
     }
+    checkHolds(positions.size(), path, source);
     return positions;
 }
 
@@ -150,6 +162,7 @@ std::vector<TableRow> readGrainTable(const fileName& path, const InputPlace& sou
         if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
         rows.push_back(readRow(line, {path, lineNumber, lineNumber, path.name()}));
     }
+    checkHolds(rows.size(), path, source);
     return rows;
 }
 

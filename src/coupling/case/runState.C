@@ -49,6 +49,19 @@ void writeRunState(const polyMesh& mesh, const RunState& state)
 }
 
 
+void writeExactTime(const Time& time)
+{
+    const FullPrecision precision;
+    IOdictionary dict
+    (
+        IOobject("time", time.timeName(), "uniform", time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
+    );
+    dict.set("deltaT", time.timeToUserTime(time.deltaTValue()));
+    dict.set("deltaT0", time.timeToUserTime(time.deltaT0Value()));
+    dict.writeObject(IOstream::ASCII, IOstream::currentVersion, IOstream::UNCOMPRESSED, true);
+}
+
+
 bool hasRunState(const polyMesh& mesh)
 {
     return stateFile(mesh, IOobject::READ_IF_PRESENT).typeHeaderOk<IOdictionary>(true);

@@ -34,7 +34,7 @@ constexpr scalar lightFluid = 0.05;
 bool CoupledRun::nextStep()
 {
     if (!time_.run()) return false;
-    if (time_.timeIndex() > time_.startTimeIndex()) adjustTimeStep(time_, reach_, properties_.time.maxGrainDisplacement);
+    if (reach_.isKnown) adjustTimeStep(time_, reach_, properties_.time.maxGrainDisplacement);
     ++time_;
     if (hasFluid()) immersion_->sources.beginStep();
     return true;
@@ -89,18 +89,18 @@ GrainResponse CoupledRun::predictResponse()
     (
         grains, step_.at, step_.drag.implicit, step_.drag.remainder, immersion_->fluid->rho().value(), gravity_, deltaT
     );
-    ::nscd::Prediction prediction;
     dynamics_->beginStep(deltaT);
+    ::nscd::Prediction prediction = freePrediction(grains, external, deltaT);
+    std::vector<scalar> mobility(grains.size(), 1.0);
     if (dynamics_->hasContacts())
     {
         prediction = dynamics_->predict(external);
-        step_.predictorSweeps = prediction.solve.sweeps;
+        const TrialPush push = makeTrialPush(grains, step_.force, step_.drag, step_.at, external, deltaT);
+        const ::nscd::Prediction pushed = dynamics_->predict(push.external);
+        mobility = followedShare(push, prediction, pushed);
+        step_.predictorSweeps = prediction.solve.sweeps + pushed.solve.sweeps;
     }
-    else
-    {
-        prediction = freePrediction(grains, external, deltaT);
-    }
-    return contactAwareResponse(grains, step_.force, step_.drag, step_.at, prediction, active_.pressureGradient, deltaT);
+    return contactAwareResponse(grains, step_.drag, step_.at, prediction, mobility, active_.pressureGradient, deltaT);
 }
 
 void CoupledRun::solveFluid()

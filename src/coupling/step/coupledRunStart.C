@@ -5,6 +5,7 @@
 #include "step/coupledRun.H"
 
 #include "case/numericsCheck.H"
+#include "case/sceneLog.H"
 
 namespace Foam
 {
@@ -19,6 +20,12 @@ scalar meanDiameter(const ::nscd::Grains& grains)
     scalar sum = 0;
     for (double radius : grains.radius) sum += 2*radius;
     return grains.size() > 0 ? sum/grains.size() : 0;
+}
+
+/// The time that a directory's name gives has lost digits; a directory that was renamed, to start anew at 0 say, keeps its name.
+void continueTime(Time& time, scalar written)
+{
+    if (Time::timeName(written) == time.timeName()) time.setTime(written, time.timeIndex());
 }
 
 bool areAllFixed(const ::nscd::Grains& grains)
@@ -58,12 +65,14 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     if (properties_.solvesFluid) startFluid();
     else if (scene_.roles.ofRole(PatchRole::exit).size() > 0) locations_ = std::make_unique<GrainLocations>(mesh);
     report_ = std::make_unique<GrainReport>(time);
+    logScene(Info, properties_, scene_, dynamics_->grains(), mesh, hasGrainState(mesh));
 }
 
 GrainState CoupledRun::readState() const
 {
     RestartExpectation expected;
     expected.vectors = {dragDebtField, contactForceField};
+    expected.numbers = {"exited", "lastDeltaT", "time", "courant", "displacement"};
     expected.nWallRegions = label(scene_.walls.regions.size());
     return readGrainState(mesh_, properties_.materials, scene_.space.shape, expected);
 }
@@ -85,6 +94,8 @@ void CoupledRun::startGrains()
     debt_ = state.extras.vectors.at(dragDebtField);
     lastContactForce_ = state.extras.vectors.at(contactForceField);
     exited_ = static_cast<std::int64_t>(state.numbers.at("exited"));
+    continueTime(time_, state.numbers.at("time"));
+    reach_ = {state.numbers.at("courant"), state.numbers.at("displacement"), true};
     dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
 }
 
@@ -100,7 +111,7 @@ void CoupledRun::startFluid()
     checkFieldDimensions(mesh_);
     checkTransportProperties(time_);
     immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());
-    checkNumerics(immersion_->fluid->phi(), sources.hasGrains);
+    checkNumerics(immersion_->fluid->phi(), sources.hasGrains || properties_.holdsMeanFlow);
 }
 
 DragModel CoupledRun::dragModel() const

@@ -15,9 +15,11 @@ namespace scenes
 
 struct NaturalMap
 {
-    double rms = 0.0;  ///< over contacts that carry an impulse [m/s]
+    double rms = 0.0;  ///< over contacts that carry an impulse, or should [m/s]
+    double norm = 0.0; ///< root of the sum of squares over the same contacts [m/s]
     double max = 0.0;  ///< over all pairs [m/s]
     int loaded = 0;
+    double overlap = 0.0;    ///< deepest at the start [m]
 };
 
 /// What the judge sees: positions before the step, velocities after it, and the impulses in between.
@@ -44,6 +46,7 @@ public:
             for (int j = i + 1; j < static_cast<int>(before.size()); ++j) judgePair(before, after.grains(), i, j);
             for (std::size_t w = 0; w < scene_.walls.regions.size(); ++w) judgePlane(before, after.grains(), i, static_cast<int>(w));
         }
+        result_.norm = std::sqrt(sum2_);
         result_.rms = result_.loaded > 0 ? std::sqrt(sum2_/result_.loaded) : 0.0;
         return result_;
     }
@@ -85,7 +88,8 @@ private:
         if (q.norm() > limit) q *= limit/q.norm();
         const double defect = std::hypot(normalDefect, wt*(rt - q).norm());
         result_.max = std::max(result_.max, defect);
-        if (found == impulses_.end()) return;
+        result_.overlap = std::max(result_.overlap, -gap);
+        if (found == impulses_.end() && !(normalDefect > 0.0)) return;
         ++result_.loaded;
         sum2_ += defect*defect;
     }

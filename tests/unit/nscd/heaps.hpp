@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Heaps of many grains for tests: a shaken lattice that falls into a box and comes to rest there.
+#pragma once
+
+#include "scenes.hpp"
+
+#include <random>
+
+namespace scenes
+{
+
+/// Grains on a jittered lattice in an open box; radii between smallest*radius and radius.
+inline Scene heap(int dimensions, int perSide, int layers, double radius, double smallest, double friction)
+{
+    Scene scene(dimensions, friction, 0.0);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const double spacing = 2.3*radius, shake = 0.1*radius;
+    const int depth = dimensions == 3 ? perSide : 1;
+    for (int k = 0; k < layers; ++k)
+    for (int j = 0; j < depth; ++j)
+    for (int i = 0; i < perSide; ++i)
+    {
+        Vec3 x = spacing*Vec3(i + 0.5, j + 0.5, k + 0.5) + shake*Vec3(unit(random), unit(random), unit(random));
+        if (dimensions == 2) x[1] = 0.0;
+        scene.addGrain(x, radius*(smallest + (1 - smallest)*0.5*(1 + unit(random))));
+    }
+    const double width = spacing*perSide;
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    scene.addPlane(Vec3::Zero(), Vec3::UnitX());
+    scene.addPlane(Vec3(width, 0, 0), -Vec3::UnitX());
+    if (dimensions == 3)
+    {
+        scene.addPlane(Vec3::Zero(), Vec3::UnitY());
+        scene.addPlane(Vec3(0, width, 0), -Vec3::UnitY());
+    }
+    return scene;
+}
+
+} // namespace scenes

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Restart and reproducibility: the same to the bit, impulses included.
+#include "heaps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+using namespace scenes;
+
+namespace
+{
+
+constexpr double deltaT = 1e-3;
+
+/// FNV-1a over the bits of positions, velocities, spins and orientations.
+std::uint64_t hash(const nscd::Grains& grains)
+{
+    std::uint64_t value = 14695981039346656037ULL;
+    const auto add = [&](const double* x, int n)
+    {
+        unsigned char bytes[4*sizeof(double)];
+        std::memcpy(bytes, x, n*sizeof(double));
+        for (std::size_t k = 0; k < n*sizeof(double); ++k) value = (value ^ bytes[k])*1099511628211ULL;
+    };
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        add(grains.position[i].data(), 3);
+        add(grains.velocity[i].data(), 3);
+        add(grains.omega[i].data(), 3);
+        add(grains.orientation[i].coeffs().data(), 4);
+    }
+    return value;
+}
+
+Scene collapse()
+{
+    Scene scene = heap(3, 5, 8, 0.01, 0.7, 0.4);
+    scene.g = gravity*Vec3(0.5, 0.1, -0.86).normalized();
+    return scene;
+}
+
+/// What a checkpoint holds.
+struct Stored
+{
+    explicit Stored(nscd::GrainDynamics& from) : impulses(from.checkpoint(deltaT)), grains(from.grains()) {}
+
+    double deltaT = 0.0;
+    std::vector<nscd::StoredImpulse> impulses;
+    nscd::Grains grains;
+};
+
+/// The scene at the checkpoint, in a library of its own.
+Scene at(const Stored& stored, Scene scene)
+{
+    scene.grains = stored.grains;
+    return scene;
+}
+
+} // namespace
+
+TEST(Restart, twoRunsAreTheSameToTheBit)
+{
+    const Scene scene = collapse();
+    std::uint64_t first = 0;
+    for (int run = 0; run < 2; ++run)
+    {
+        auto dynamics = scene.build(nscd::ContactSettings());
+        for (int k = 0; k < 120; ++k)
+        {
+            // Sub-steps of different length.
+            step(dynamics, scene.g, deltaT*(k % 3 == 0 ? 0.4 : 0.6));
+        }
+        if (run == 0) first = hash(dynamics.grains());
+        else EXPECT_EQ(hash(dynamics.grains()), first);
+    }
+}
+
+TEST(Restart, continuesInTheMiddleOfACollapse)
+{
+    const Scene scene = collapse();
+    auto dynamics = scene.build(nscd::ContactSettings());
+    for (int k = 0; k < 90; ++k) step(dynamics, scene.g, deltaT);
+    EXPECT_GT(nscd::kineticEnergy(dynamics.grains()), 1e-3*gravity*0.01*dynamics.grains().mass[0]);
+
+    const Stored stored(dynamics);
+    EXPECT_GT(stored.impulses.size(), 150u);
+    EXPECT_EQ(stored.deltaT, deltaT);
+    auto other = at(stored, scene).build(nscd::ContactSettings());
+    other.restore(stored.impulses, stored.deltaT);
+    EXPECT_EQ(hash(other.grains()), hash(dynamics.grains()));
+    for (int k = 0; k < 60; ++k)
+    {
+        const nscd::StepReport expected = step(dynamics, scene.g, deltaT);
+        const nscd::StepReport report = step(other, scene.g, deltaT);
+        ASSERT_EQ(report.solve.sweeps, expected.solve.sweeps) << "step " << k;
+        ASSERT_EQ(hash(other.grains()), hash(dynamics.grains())) << "step " << k;
+    }
+}
+
+/// Against a run that nobody interrupted, not even by writing: the order of contacts differs, the answer does not.
+TEST(Restart, aBedAtRestStaysAtRest)
+{
+    const Scene scene = heap(3, 4, 5, 0.01, 0.7, 0.4);
+    auto uninterrupted = scene.build(nscd::ContactSettings());
+    auto stopped = scene.build(nscd::ContactSettings());
+    for (int k = 0; k < 900; ++k)
+    {
+        step(uninterrupted, scene.g, deltaT);
+        step(stopped, scene.g, deltaT);
+    }
+    const Stored stored(stopped);
+    auto with = at(stored, scene).build(nscd::ContactSettings());
+    auto without = at(stored, scene).build(nscd::ContactSettings());
+    with.restore(stored.impulses, stored.deltaT);
+    const int expected = step(uninterrupted, scene.g, deltaT).solve.sweeps;
+    EXPECT_NEAR(step(with, scene.g, deltaT).solve.sweeps, expected, 2);
+    EXPECT_GT(step(without, scene.g, deltaT).solve.sweeps, 5*expected);
+}
+
+TEST(Restart, impulsesScaleWithTheTimeStep)
+{
+    // A resting stack: impulses of the new step are those of the old one times dt_new/dt_old, so a sweep or two find nothing to do.
+    Scene scene(3, 0.5, 0.0);
+    for (int i = 0; i < 3; ++i) scene.addGrain(Vec3(0, 0, 0.01*(2*i + 1)), 0.01);
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    nscd::ContactSettings settings;
+    settings.polishSweeps = 0;
+    settings.tolerance = settings.displacementTolerance = 1e-6;
+    auto dynamics = scene.build(settings);
+    for (int k = 0; k < 200; ++k) step(dynamics, scene.g, deltaT);
+    for (double factor : {0.1, 3.0, 1.0}) EXPECT_LE(step(dynamics, scene.g, factor*deltaT).solve.sweeps, 2) << factor;
+}
+
+TEST(Restart, grainsRemovedTakeTheirImpulsesAlong)
+{
+    const Scene scene = collapse();
+    auto dynamics = scene.build(nscd::ContactSettings());
+    for (int k = 0; k < 100; ++k) step(dynamics, scene.g, deltaT);
+    const nscd::Grains all = dynamics.grains();
+    nscd::Grains remaining;
+    remaining.shape = all.shape;
+    for (std::size_t i = all.size(); i-- > 0;)
+    {
+        if (i % 40 == 7) continue;
+        remaining.add(all.position[i], all.radius[i], 2500.0, 0, all.id[i]);
+        remaining.velocity.back() = all.velocity[i];
+        remaining.omega.back() = all.omega[i];
+    }
+    dynamics.setGrains(remaining);
+    EXPECT_EQ(dynamics.grains().size(), 195u);
+    for (int k = 0; k < 20; ++k) EXPECT_TRUE(step(dynamics, scene.g, deltaT).solve.converged);
+}
