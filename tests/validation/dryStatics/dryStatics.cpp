@@ -52,21 +52,6 @@ nscd::ContactSettings settings(double tolerance)
     return settings;
 }
 
-/// One step in a viscous medium: nothing else stops a disc that rolls on another or on a plane.
-void stepDamped(nscd::GrainDynamics& dynamics, const Vec3& g)
-{
-    constexpr double rate = 30.0;  // 1/s
-    nscd::ExternalForces forces = weight(dynamics.grains(), g, deltaT);
-    for (std::size_t i = 0; i < dynamics.grains().size(); ++i)
-    {
-        const double mass = dynamics.grains().mass[i], r = dynamics.grains().radius[i];
-        forces.implicitDrag.push_back(rate*mass);
-        forces.torque.push_back(-rate*0.5*mass*r*r*dynamics.grains().omega[i]);
-    }
-    dynamics.beginStep(deltaT);
-    dynamics.advance(forces);
-}
-
 /// A09: settles at the default settings, at last in a viscous medium, then holds for 2000 steps at 1e-8 g dt.
 void boxOfDiscs()
 {
@@ -74,7 +59,7 @@ void boxOfDiscs()
     Scene scene = heap(2, 20, 25, radius, 0.6, 0.5);
     auto settling = scene.build(nscd::ContactSettings());
     for (int k = 0; k < 2000; ++k) step(settling, scene.g, deltaT);
-    for (int k = 0; k < 1000; ++k) stepDamped(settling, scene.g);
+    for (int k = 0; k < 1000; ++k) stepDamped(settling, scene.g, deltaT);
     scene.grains = settling.grains();
     double lastDeltaT = 0.0;
     const std::vector<nscd::StoredImpulse> impulses = settling.checkpoint(lastDeltaT);
