@@ -13,8 +13,8 @@ namespace nscdCoupling
 namespace
 {
 
-// The excess spreads like diffusion: n passes reach about sqrt(n) cells beyond the overfull ones, enough for a grain ten cells wide.
-constexpr label maxPasses = 200;
+// The excess spreads like diffusion: n passes reach about sqrt(n) cells beyond the overfull ones. Grains ten cells wide need 300.
+constexpr label maxPasses = 1000;
 
 // Round-off of a cell filled to the brim does not start another pass.
 constexpr scalar brim = 1e-10;

@@ -127,20 +127,25 @@ constexpr VoidFractionMethod methods[] =
 
 } // namespace
 
+wordList voidFractionMethodNames()
+{
+    wordList names;
+    for (const VoidFractionMethod& method : methods) names.append(method.name);
+    return names;
+}
+
 const VoidFractionMethod& readVoidFractionMethod(const dictionary& dict)
 {
     const word name = dict.getOrDefault<word>("method", "exact");
-    std::string names;
     for (const VoidFractionMethod& method : methods)
     {
         if (name == method.name)
         {
             return method;
         }
-        names += std::string(" ") + method.name;
     }
     FatalIOErrorInFunction(dict)
-        << "unknown void-fraction method " << name << "; known are:" << names << exit(FatalIOError);
+        << "unknown void-fraction method " << name << "; known are: " << voidFractionMethodNames() << exit(FatalIOError);
     return methods[0];
 }
 

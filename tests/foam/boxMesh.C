@@ -171,17 +171,18 @@ fileName makeScratchFolder()
 }
 
 
-dictionary controlDict(const scalar deltaT)
+dictionary controlDict(const BoxMeshSettings& settings)
 {
     dictionary dict;
     dict.add("startTime", 0);
     dict.add("endTime", 1e10);
-    dict.add("deltaT", deltaT);
+    dict.add("deltaT", settings.deltaT);
     dict.add("writeControl", "timeStep");
     dict.add("writeInterval", 1000000);
     dict.add("writePrecision", 17);
     dict.add("timePrecision", 12);
     dict.add("runTimeModifiable", false);
+    dict.merge(settings.control);
     return dict;
 }
 
@@ -219,7 +220,7 @@ BoxMesh::BoxMesh(const BoxMeshSettings& settings)
 {
     writeFile("system/fvSchemes", settings.schemes);
     writeFile("system/fvSolution", settings.solution);
-    time_.reset(new Time(controlDict(settings.deltaT), casePath_.path(), casePath_.name(), "system", "constant", false));
+    time_.reset(new Time(controlDict(settings), casePath_.path(), casePath_.name(), "system", "constant", false));
     mesh_ = makeMesh(*time_, settings);
 }
 

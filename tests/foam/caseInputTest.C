@@ -4,8 +4,8 @@
 // Tests of grainProperties as text: what a short one means, and what is said about bad ones.
 #include "caseTools.H"
 
-#include "dictionaryCheck.H"
-#include "grainProperties.H"
+#include "case/dictionaryCheck.H"
+#include "case/grainProperties.H"
 
 #include "dimensionSets.H"
 
@@ -118,56 +118,122 @@ TEST(GrainProperties, latticeSpacingFillsTheBox)
     EXPECT_EQ(p.sources.at(0).lattice.count, Vector<label>(3, 1, 2));
 }
 
-// Each row: the bad text, and what the complaint must hold beside the file's name.
+TEST(BadGrainProperties, aMisspeltKeywordIsFoundInEverySubDictionary)
+{
+    // What stands before and behind the misspelt keyword, the keyword, and the one that was meant.
+    struct Row { std::string before, keyword, meant, after; };
+    const std::string grain = glass + contacts + "grains { type ";
+    const std::vector<Row> rows =
+    {
+        {"materials { glass { density 1; ", "densty", "density", " 2; } }" + contacts + lattice},
+        {glass + "contacts { default { friction 1; ", "restituton", "restitution", " 2; } }" + lattice},
+        {glass + "contacts { default { friction 1; } ", "glas-glass", "glass-glass", " { friction 1; } }" + lattice},
+        {grain + "table; file x; ", "velocty", "velocity", " (0 0 0); }"},
+        {grain + "positionsFile; file x; diameter 1; ", "materal", "material", " glass; }"},
+        {grain + "lattice; box (0 0 0) (1 1 1); count (1 1 1); diameter 1; ", "jiter", "jitter", " 1; }"},
+        {first + "patches { a { type exit; ", "materiel", "type", " glass; } }"},
+        {first + "patches { a { type wall; material glass; ", "materiel", "material", " glass; } }"},
+        {first + "planes { a { point (0 0 0); normal (0 0 1); material glass; ", "pont", "point", " (0 0 0); } }"},
+        {first + "solver { ", "maxSweep", "maxSweeps", " 3; }"},
+        {first + "voidFraction { ", "difusion", "diffusion", " 3; }"},
+        {first + "forces { ", "viscuous", "viscous", " on; }"},
+        {first + "forces { drag { ", "lav", "law", " Ergun; } }"},
+        {first + "timeStep { ", "subCycle", "subCycles", " 3; }"},
+        {first, "feedbck", "feedback", " on;"}
+    };
+    for (const Row& row : rows)
+    {
+        const std::string text = complaintAbout(row.before + row.keyword + row.after);
+        EXPECT_TRUE(holds(text, {row.keyword + " is not a keyword here", "value:   " + row.keyword})) << row.before;
+        EXPECT_TRUE(holds(text, {row.meant})) << row.before;
+        if (row.keyword != "materiel" || row.meant == "material")
+        {
+            EXPECT_TRUE(holds(text, {"nearest: " + row.meant})) << row.before;
+        }
+    }
+}
+
+namespace
+{
+
+/// A bad text, and what the complaint must hold beside the file's name.
+struct Bad
+{
+    std::string text;
+    std::vector<std::string> pieces;
+};
+
+const std::string start = glass + contacts;
+const std::string pair = "contacts { default { friction 0.3; restitution ";
+
+const std::vector<Bad> bad =
+{
+    {first + "feedbak off;", {"feedbak", "nearest: feedback", "line 4"}},
+    {first + "solver { tolerence 1; }", {"solver.tolerence", "nearest: tolerance", "maxSweeps", "line 4"}},
+    {contacts + lattice, {"materials", "is missing"}},
+    {"materials {}" + contacts + lattice, {"materials", "names no material"}},
+    {"materials { glass { density 2500; } steel { density two; } }" + contacts + lattice, {"steel.density", "value:   two", "number"}},
+    {"materials { glass { density 0; } }" + contacts + lattice, {"density", "> 0"}},
+    {glass + lattice, {"contacts", "is missing"}},
+    {start, {"grains", "is missing"}},
+    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); }", {"grains.diameter", "is missing", "line 3"}},
+    {"materials { glass { density [0 1 0 0 0 0 0] 2500; } }" + contacts + lattice,
+        {"materials.glass.density", "wrong dimensions", "[1 -3 0 0 0 0 0]"}},
+    {"materials { glass { density -2500; } }" + contacts + lattice, {"density", "value:   -2500", "> 0", "line 1"}},
+    {"materials { glass { density nan; } }" + contacts + lattice, {"density", "value:   nan", "finite", "line 1"}},
+    {"materials { glass { density 1 2; } }" + contacts + lattice, {"density", "value:   1 2", "single number"}},
+    {"materials { glass { density; } }" + contacts + lattice, {"density", "has no value"}},
+    {"materials { glass 2500; }" + contacts + lattice, {"glass", "is not a sub-dictionary"}},
+    {glass + pair + "1.5; } }" + lattice, {"contacts.default.restitution", "value:   1.5", ">= 0 and <= 1"}},
+    {glass + pair + "-0.1; } }" + lattice, {"restitution", "value:   -0.1"}},
+    {glass + "contacts { default { friction -0.3; } }" + lattice, {"friction", "value:   -0.3", ">= 0"}},
+    {glass + "contacts { default { friction nan; } }" + lattice, {"friction", "value:   nan", "finite"}},
+    {glass + "contacts { default { restitution 0; } }" + lattice, {"contacts.default.friction", "is missing"}},
+    {glass + "contacts { glass-stel { friction 1; } }" + lattice, {"glass-stel", "nearest: glass-steel", "default"}},
+    {glass + "contacts { glass-steel { friction 1; } steel-glass { friction 1; } }" + lattice, {"steel-glass", "repeats"}},
+    {start + "grains { type latice; }", {"grains.type", "value:   latice", "nearest: lattice", "positionsFile"}},
+    {start + "grains { a { type table; file x; material glas; } }", {"grains.a.material", "nearest: glass"}},
+    {start + "grains { a { type table; file x; material steel; } }", {"materials.steel", "no density"}},
+    {start + "grains { type table; }", {"grains.file", "is missing"}},
+    {start + "grains { type positionsFile; file x; }", {"grains.diameter", "is missing"}},
+    {start + "grains { type positionsFile; file x; diameter -1e-3; }", {"grains.diameter", "value:   -0.001", "> 0"}},
+    {start + "grains { type positionsFile; file x; diameter nan; }", {"grains.diameter", "value:   nan", "finite"}},
+    {start + "grains { type positionsFile; file x; diameter [0 0 1 0 0 0 0] 1; }", {"grains.diameter", "dimensions", "[0 1 0 0 0 0 0]"}},
+    {start + "grains { type positionsFile; file 3; diameter 1; }", {"grains.file", "word or a quoted string"}},
+    {start + "grains { type table; file x; velocity 3; }", {"grains.velocity", "value:   3", "not a vector"}},
+    {start + "grains { file x; }", {"grains.file", "sub-dictionary"}},
+    {start + "grains { type lattice; box (0 0 0) (1 1 1); diameter 1; }", {"grains", "spacing", "is missing"}},
+    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); spacing 1; diameter 1; }", {"spacing", "beside count"}},
+    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (a b c); diameter 1; }", {"count", "number"}},
+    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); diameter 1; spread 1.2; }", {"spread", "< 1"}},
+    {first + "maxInitialOverlap -1;", {"maxInitialOverlap", ">= 0"}},
+    {first + "motion fixd;", {"motion", "nearest: fixed"}},
+    {first + "shape disk;", {"shape", "nearest: disc"}},
+    {first + "wallMaterial stel;", {"wallMaterial", "nearest: steel"}},
+    {first + "voidFraction { minFluidFraction 1; }", {"minFluidFraction", "< 1"}},
+    {start + "grains { type lattice; box (0 0 0) (1 0 1); count (1 1 1); diameter 1; }", {"grains.box", "is empty"}},
+    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1.5 1); diameter 1; }", {"count", "whole"}},
+    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); diameter -1; }", {"diameter", "> 0"}},
+    {start + "grains { type lattice; box (0 0 0) (1 1); count (1 1 1); diameter 1; }", {"box", "vectors"}},
+    {first + "forces { drag { law Gidaspov; } }", {"forces.drag.law", "value:   Gidaspov", "nearest: Gidaspow", "Ergun"}},
+    {first + "voidFraction { method exakt; }", {"voidFraction.method", "nearest: exact", "centroid"}},
+    {first + "solver { type NGLS; }", {"solver.type", "nearest: NLGS", "queue"}},
+    {first + "solver { maxSweeps 2.5; }", {"maxSweeps", "whole number"}},
+    {first + "solver { skin -1; }", {"solver.skin", ">= 0"}},
+    {first + "fluid non;", {"fluid", "nearest: none", "solved"}},
+    {first + "feedback of;", {"feedback", "nearest: off"}},
+    {first + "meanFlow (0 0);", {"meanFlow", "not a vector"}},
+    {first + "meanFlow (0 0 nan);", {"meanFlow", "finite"}},
+    {first + "planes { p { point (0 0 0); normal (0 0 0); material glass; } }", {"planes.p.normal", "no length"}},
+    {first + "patches { outlet { type exite; } }", {"patches.outlet.type", "nearest: exit", "wall"}},
+    {first + "patches { outlet { type wall; material steele; } }", {"patches.outlet.material", "nearest: steel"}},
+    {first + "timeStep { subCycles 0; }", {"timeStep.subCycles", ">= 1"}}
+};
+
+} // namespace
+
 TEST(BadGrainProperties, saysWhatIsWrongAndWhatWouldBeRight)
 {
-    struct Bad { std::string text; std::vector<std::string> pieces; };
-    const std::string start = glass + contacts;
-    const std::string pair = "contacts { default { friction 0.3; restitution ";
-    const std::vector<Bad> bad =
-    {
-        {first + "feedbak off;", {"feedbak", "nearest: feedback", "line 4"}},
-        {first + "solver { tolerence 1; }", {"solver.tolerence", "nearest: tolerance", "maxSweeps", "line 4"}},
-        {contacts + lattice, {"materials", "is missing"}},
-        {glass + lattice, {"contacts", "is missing"}},
-        {start, {"grains", "is missing"}},
-        {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); }", {"grains.diameter", "is missing", "line 3"}},
-        {"materials { glass { density [0 1 0 0 0 0 0] 2500; } }" + contacts + lattice,
-            {"materials.glass.density", "wrong dimensions", "[1 -3 0 0 0 0 0]"}},
-        {"materials { glass { density -2500; } }" + contacts + lattice, {"density", "value:   -2500", "> 0", "line 1"}},
-        {"materials { glass { density nan; } }" + contacts + lattice, {"density", "value:   nan", "finite", "line 1"}},
-        {"materials { glass { density 1 2; } }" + contacts + lattice, {"density", "value:   1 2", "single number"}},
-        {"materials { glass { density; } }" + contacts + lattice, {"density", "has no value"}},
-        {"materials { glass 2500; }" + contacts + lattice, {"glass", "is not a sub-dictionary"}},
-        {glass + pair + "1.5; } }" + lattice, {"contacts.default.restitution", "value:   1.5", ">= 0 and <= 1"}},
-        {glass + pair + "-0.1; } }" + lattice, {"restitution", "value:   -0.1"}},
-        {glass + "contacts { default { friction -0.3; } }" + lattice, {"friction", "value:   -0.3", ">= 0"}},
-        {glass + "contacts { default { friction nan; } }" + lattice, {"friction", "value:   nan", "finite"}},
-        {glass + "contacts { default { restitution 0; } }" + lattice, {"contacts.default.friction", "is missing"}},
-        {glass + "contacts { glass-stel { friction 1; } }" + lattice, {"glass-stel", "nearest: glass-steel", "default"}},
-        {glass + "contacts { glass-steel { friction 1; } steel-glass { friction 1; } }" + lattice, {"steel-glass", "repeats"}},
-        {start + "grains { type latice; }", {"grains.type", "value:   latice", "nearest: lattice", "positionsFile"}},
-        {start + "grains { a { type table; file x; material glas; } }", {"grains.a.material", "nearest: glass"}},
-        {start + "grains { a { type table; file x; material steel; } }", {"materials.steel", "no density"}},
-        {start + "grains { type table; }", {"grains.file", "is missing"}},
-        {start + "grains { type lattice; box (0 0 0) (1 0 1); count (1 1 1); diameter 1; }", {"grains.box", "is empty"}},
-        {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1.5 1); diameter 1; }", {"count", "whole"}},
-        {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); diameter -1; }", {"diameter", "> 0"}},
-        {start + "grains { type lattice; box (0 0 0) (1 1); count (1 1 1); diameter 1; }", {"box", "vectors"}},
-        {first + "forces { drag { law Gidaspov; } }", {"forces.drag.law", "value:   Gidaspov", "nearest: Gidaspow", "Ergun"}},
-        {first + "voidFraction { method exakt; }", {"voidFraction.method", "nearest: exact", "centroid"}},
-        {first + "solver { type NGLS; }", {"solver.type", "nearest: NLGS", "queue"}},
-        {first + "solver { maxSweeps 2.5; }", {"maxSweeps", "whole number"}},
-        {first + "solver { skin -1; }", {"solver.skin", ">= 0"}},
-        {first + "fluid non;", {"fluid", "nearest: none", "solved"}},
-        {first + "feedback of;", {"feedback", "nearest: off"}},
-        {first + "meanFlow (0 0);", {"meanFlow", "not a vector"}},
-        {first + "meanFlow (0 0 nan);", {"meanFlow", "finite"}},
-        {first + "planes { p { point (0 0 0); normal (0 0 0); material glass; } }", {"planes.p.normal", "no length"}},
-        {first + "patches { outlet { type exite; } }", {"patches.outlet.type", "nearest: exit", "wall"}},
-        {first + "patches { outlet { type wall; material steele; } }", {"patches.outlet.material", "nearest: steel"}},
-        {first + "timeStep { subCycles 0; }", {"timeStep.subCycles", ">= 1"}}
-    };
     for (const Bad& b : bad)
     {
         const std::string text = complaintAbout(b.text);

@@ -4,17 +4,16 @@
 // Tests of the first grains of a case: where they are put, and what is refused.
 #include "caseTools.H"
 
-#include "grainScene.H"
-#include "initialChecks.H"
-#include "materialsReader.H"
-#include "overlaps.H"
+#include "case/grainScene.H"
+#include "case/initialChecks.H"
+#include "case/materialsReader.H"
 
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "mathematicalConstants.H"
 
+#include <cmath>
 #include <fstream>
-#include <random>
 
 using namespace Foam;
 using namespace Foam::nscdCoupling;
@@ -161,6 +160,8 @@ TEST(BadStart, filesThatAreMissingOrTruncatedOrWrong)
     c.writeRaw("bed.txt", "");
     EXPECT_TRUE(holds(c.complaintAbout(start + "grains { bed { type table; file \"bad.txt\"; } }"),
         {"grains.bed", "does not exist", "nearest: bed.txt", "constant/grainProperties"}));
+    EXPECT_TRUE(holds(c.complaintAboutTable("# x y z d\n"), {"grains.bed", "holds no grain", "grains.txt", "constant/grainProperties"}));
+    EXPECT_TRUE(holds(c.complaintAboutPositions("()"), {"grains.bed", "holds no grain"}));
     EXPECT_TRUE(holds(c.complaintAboutPositions("(\n(0.1 0.1 0.1)\n(0.2 0.2"), {"positions", "truncated after 1", "line 3"}));
     EXPECT_TRUE(holds(c.complaintAboutPositions("(\n(0.1 0.1 0.1)\n"), {"positions", "truncated after 1"}));
     EXPECT_TRUE(holds(c.complaintAboutPositions(""), {"positions", "truncated after 0"}));
@@ -172,6 +173,27 @@ TEST(BadStart, filesThatAreMissingOrTruncatedOrWrong)
     EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 -0.01"), {"diameter", "not positive", "line 1"}));
     EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 0.01 glas"), {"material", "value:   glas", "nearest: glass", "line 1"}));
     EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 0.01 glass 7"), {"five columns"}));
+}
+
+TEST(BadStart, binaryFilesThatAreTruncatedOrHoldNoNumbers)
+{
+    Case c;
+    const fileName path = c.box.casePath()/"constant/positions";
+    const auto about = [&](const List<vector>& positions, std::size_t cut)
+    {
+        mkDir(path.path());
+        {
+            OFstream os(path, IOstream::BINARY);
+            os << "FoamFile { version 2.0; format binary; class vectorField; object positions; }" << nl << positions;
+        }
+        std::ifstream whole(path);
+        const std::string contents((std::istreambuf_iterator<char>(whole)), std::istreambuf_iterator<char>());
+        std::ofstream(path) << contents.substr(0, contents.size() - cut);
+        return c.complaintAbout(start + "grains { type positionsFile; file positions; diameter 0.01; }");
+    };
+    const List<vector> positions(100, vector(0.5, 0.5, 0.5));
+    EXPECT_TRUE(holds(about(positions, 300), {"constant/positions"}));
+    EXPECT_TRUE(holds(about(List<vector>(1, vector(0.5, std::nan(""), 0.5)), 0), {"constant/positions", "finite number"}));
 }
 
 TEST(BadStart, grainsOutsideTheMesh)
@@ -234,11 +256,22 @@ TEST(BadStart, motionOutOfThePlaneOfA2DCase)
     EXPECT_TRUE(holds(c.complaintAbout("shape sphere;" + start + lattice + "} }", vector(0, -9.81, 0)), {"shape", "2D", "disc"}));
 }
 
+TEST(BadStart, aMeanFlowNeedsCyclicPatches)
+{
+    BoxMeshSettings settings;
+    settings.patchTypes = {"cyclic", "cyclic", "wall", "wall", "wall", "wall"};
+    Case c(settings);
+    const std::string grains = start + "grains {}\n";
+    EXPECT_EQ(c.complaintAbout(grains + "meanFlow (0.1 0 0);"), "");
+    EXPECT_TRUE(holds(c.complaintAbout(grains + "meanFlow (0.1 0 0.2);"),
+        {"meanFlow", "(0.1 0 0.2)", "cyclic", "component z", "constant/grainProperties line 6"}));
+}
+
 TEST(BadStart, timeStepMustBePositive)
 {
     BoxMeshSettings settings;
     settings.deltaT = 0;
-    EXPECT_TRUE(holds(complaint([&] { BoxMesh box(settings); checkTimeControls(box.time()); }), {"deltaT", "not positive", "value:   0"}));
+    EXPECT_TRUE(holds(complaint([&] { BoxMesh box(settings); checkTimeControls(box.time()); }), {"deltaT", "out of range", "value:   0", "> 0"}));
     settings.deltaT = -1e-3;
     EXPECT_TRUE(holds(complaint([&] { BoxMesh box(settings); checkTimeControls(box.time()); }), {"deltaT", "value:   -0.001"}));
 }
@@ -250,38 +283,4 @@ TEST(BadStart, gravityHasDimensions)
     EXPECT_EQ(readGravity(box.time()), vector(0, 0, -9.81));
     box.writeFile("constant/g", "dimensions [0 1 -1 0 0 0 0]; value (0 0 -9.81);");
     EXPECT_TRUE(holds(complaint([&] { readGravity(box.time()); }), {"wrong dimensions", "[0 1 -2 0 0 0 0]"}));
-}
-
-TEST(Overlaps, agreeWithTheSumOverAllPairs)
-{
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> uniform(0, 1);
-    nscd::Grains grains;
-    for (int i = 0; i < 400; ++i)
-    {
-        const double radius = 0.005*std::pow(10, uniform(random));
-        grains.add(Vec3(uniform(random), uniform(random), 2*uniform(random)), radius, 1, 0, i);
-    }
-    nscd::PeriodicBox box;
-    box.length = Vec3(1, 0, 2);
-    nscd::Walls walls;
-    const int patch = walls.addPatch("square", 0);
-    walls.addPolygon(patch, {Vec3(0.2, 0.2, 1), Vec3(0.8, 0.2, 1), Vec3(0.8, 0.9, 1.2), Vec3(0.2, 0.9, 1.2)});
-
-    std::size_t pairs = 0, atWall = 0;
-    for (std::size_t i = 0; i < grains.size(); ++i)
-    {
-        for (std::size_t j = i + 1; j < grains.size(); ++j)
-        {
-            const double distance = box.nearestImage(grains.position[i] - grains.position[j]).norm();
-            const double share = (grains.radius[i] + grains.radius[j] - distance)/(2*std::min(grains.radius[i], grains.radius[j]));
-            pairs += share > 0.02;
-        }
-        const double distance = nscd::nearestPoint(walls.regions[0], grains.position[i]).distance;
-        atWall += distance >= 0 && (grains.radius[i] - distance)/(2*grains.radius[i]) > 0.02;
-    }
-    ASSERT_GT(pairs, 20u);
-    ASSERT_GT(atWall, 5u);
-    EXPECT_EQ(grainOverlaps(grains, box, 0.02).size(), pairs);
-    EXPECT_EQ(wallOverlaps(grains, walls, 0.02).size(), atWall);
 }

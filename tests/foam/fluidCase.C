@@ -43,9 +43,9 @@ std::string fieldFile
 std::string schemes(const FluidCaseSettings& settings)
 {
     return
-        "ddtSchemes { default " + settings.ddt + "; } gradSchemes { default Gauss linear; }"
+        "ddtSchemes { default " + settings.ddt + "; } gradSchemes { default " + settings.gradient + "; }"
         "divSchemes { default Gauss linear; div(phi,U) " + settings.convection + "; }"
-        "laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default linear; }"
+        "laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default " + settings.interpolation + "; }"
         "snGradSchemes { default corrected; }";
 }
 
@@ -54,7 +54,7 @@ std::string solution(const FluidCaseSettings& settings)
     std::ostringstream os;
     os << "solvers { \"p_rgh.*\" { solver PCG; preconditioner DIC; tolerance " << settings.tolerance
         << "; relTol 0; maxIter 5000; }"
-        << "\"U.*\" { solver PBiCGStab; preconditioner DILU; tolerance " << settings.tolerance << "; relTol 0; } }"
+        << "\"(U|k|epsilon).*\" { solver PBiCGStab; preconditioner DILU; tolerance " << settings.tolerance << "; relTol 0; } }"
         << "PIMPLE { " << settings.pimple << " }";
     return os.str();
 }
@@ -137,7 +137,7 @@ FluidCase::FluidCase(const FluidCaseSettings& settings)
     box_(withNumerics(settings)),
     sources_((writeCase(settings), box_.mesh()))
 {
-    messageStream::level = getenv("LOUD") ? 2 : 0;
+    messageStream::level = 0;
     sources_.hasGrains = true;
 }
 
@@ -150,7 +150,7 @@ void FluidCase::writeCase(const FluidCaseSettings& settings) const
     gravity << "dimensions [0 1 -2 0 0 0 0]; value (" << settings.gravity.x() << ' ' << settings.gravity.y() << ' '
         << settings.gravity.z() << ");";
     box_.writeFile("constant/transportProperties", transport.str());
-    box_.writeFile("constant/turbulenceProperties", "simulationType laminar;");
+    box_.writeFile("constant/turbulenceProperties", settings.turbulence);
     box_.writeFile("constant/g", gravity.str());
     box_.writeFile
     (

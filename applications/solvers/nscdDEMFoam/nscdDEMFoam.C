@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // nscdDEMFoam: rigid grains with hard frictional contact in a volume-averaged incompressible fluid.
+#include "case/parallelRefusal.H"
 #include "step/coupledRun.H"
 
 #include "argList.H"
@@ -34,6 +35,7 @@ int main(int argc, char* argv[])
     using namespace Foam;
     argList::addNote("Rigid grains (non-smooth contact dynamics) in a volume-averaged incompressible fluid");
 
+    nscdCoupling::refuseParallel(argc, argv);
     #include "setRootCase.H"
     #include "createTime.H"
     fvMesh mesh(IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));

@@ -31,18 +31,31 @@ void writeEmptyCloud(passiveParticleCloud& cloud)
     {
         writeNow(IOPosition<passiveParticleCloud>(cloud, cloud::geometryType::POSITIONS));
     }
-    writeNow(IOField<label>(cloud.fieldIOobject("origId", IOobject::NO_READ), 0));
+    for (const char* field : {"origId", "origProcId"})
+    {
+        writeNow(IOField<label>(cloud.fieldIOobject(field, IOobject::NO_READ), 0));
+    }
 }
 
-/// While it lives, OpenFOAM's input errors are thrown.
-class ThrowingInputErrors
+/// While it lives, OpenFOAM's errors are thrown.
+class ThrowingErrors
 {
 public:
-    ThrowingInputErrors() : before_(FatalIOError.throwExceptions(true)) {}
-    ~ThrowingInputErrors() { FatalIOError.throwExceptions(before_); }
+    ThrowingErrors()
+    :
+        error_(FatalError.throwExceptions(true)),
+        ioError_(FatalIOError.throwExceptions(true))
+    {}
+
+    ~ThrowingErrors()
+    {
+        FatalError.throwExceptions(error_);
+        FatalIOError.throwExceptions(ioError_);
+    }
 
 private:
-    bool before_;
+    bool error_;
+    bool ioError_;
 };
 
 } // namespace
@@ -94,15 +107,15 @@ Field<Type> CloudReader::read(const word& field) const
     (
         field, mesh_.time().timeName(), cloud::prefix/name_, mesh_, IOobject::MUST_READ, IOobject::NO_WRITE, false
     );
-    const InputPlace place{file.objectPath(), -1, -1, field};
+    const InputPlace place = placeInFile(file.objectPath(), field);
     string reason;
     Field<Type> values;
     try
     {
-        const ThrowingInputErrors throwing;
+        const ThrowingErrors throwing;
         values = IOField<Type>(file);
     }
-    catch (const Foam::IOerror& error)
+    catch (const Foam::error& error)
     {
         reason = error.message();
     }

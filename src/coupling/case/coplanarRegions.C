@@ -70,7 +70,7 @@ bool continues(const primitivePatch& patch, label facei, const GrowingPlane& pla
 }
 
 /// Faces connected to `seed` and coplanar with it, marked with the region's number in `regionOf`.
-std::vector<label> growRegion(const primitivePatch& patch, label seed, label region, const boolList& flat, labelList& regionOf)
+std::vector<label> growRegion(const primitivePatch& patch, label seed, label region, const labelList& flat, labelList& regionOf)
 {
     std::vector<label> members(1, seed);
     regionOf[seed] = region;
@@ -152,7 +152,7 @@ std::vector<DirectedEdge> outlineOf(const primitivePatch& patch, const std::vect
 std::vector<nscd::WallRegion> coplanarRegions(const primitivePatch& patch, int wallPatch)
 {
     std::vector<nscd::WallRegion> regions;
-    boolList flat(patch.size());
+    labelList flat(patch.size(), 0);
     forAll(flat, facei) flat[facei] = isFlat(patch, facei);
 
     labelList regionOf(patch.size(), -1);

@@ -6,7 +6,6 @@
 #include "inputError.H"
 
 #include "ITstream.H"
-#include "StringStream.H"
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +19,6 @@ namespace
 {
 
 const Words switchWords = {"on", "off", "yes", "no", "true", "false"};
-
-string dimensionText(const dimensionSet& dimensions)
-{
-    OStringStream text;
-    text << dimensions;
-    return text.str();
-}
 
 label closingBracket(const tokenList& tokens)
 {
@@ -58,12 +50,11 @@ bool Range::contains(scalar value) const
 
 string Range::describe() const
 {
-    OStringStream text;
-    text << "a finite number";
-    if (std::isfinite(lower)) text << (includesLower ? " >= " : " > ") << lower;
-    if (std::isfinite(lower) && std::isfinite(upper)) text << " and";
-    if (std::isfinite(upper)) text << (includesUpper ? " <= " : " < ") << upper;
-    return text.str();
+    string text = "a finite number";
+    if (std::isfinite(lower)) text += messageText(includesLower ? " >= " : " > ", lower);
+    if (std::isfinite(lower) && std::isfinite(upper)) text += " and";
+    if (std::isfinite(upper)) text += messageText(includesUpper ? " <= " : " < ", upper);
+    return text;
 }
 
 
@@ -125,7 +116,7 @@ CheckedDict::Value CheckedDict::value(const word& keyword, const dimensionSet* d
     dimensionSet given(dimless);
     scalar multiplier = 1;
     given.read(stream, multiplier);
-    if (given != *dimensions) reject(keyword, "has wrong dimensions", dimensionText(*dimensions) + " or a plain SI number");
+    if (given != *dimensions) reject(keyword, "has wrong dimensions", messageText(*dimensions, " or a plain SI number"));
     return {tokenList(SubList<token>(tokens, tokens.size() - closing - 1, closing + 1)), multiplier};
 }
 

@@ -7,6 +7,10 @@
 #include "runState.H"
 #include "vectorConversion.H"
 
+#include "OSspecific.H"
+#include "Time.H"
+#include "cloud.H"
+
 #include <algorithm>
 #include <unordered_map>
 
@@ -94,7 +98,11 @@ std::vector<int> materialMap(const RunState& state, const nscd::Materials& prese
         map.push_back(present.find(name));
         if (map.back() < 0)
         {
-            fail({state.place, "was written with a material that grainProperties no longer has", name, string::null, present.names()});
+            fail
+            ({
+                state.place, "was written with a material that grainProperties no longer has", name, string::null,
+                present.names()
+            });
         }
     }
     return map;
@@ -116,7 +124,7 @@ void checkGrain(const polyMesh& mesh, label id, scalar diameter, const vector& p
     if (diameter > 0 && diameter < VGREAT && mag(position) < VGREAT) return;
     fail
     ({
-        {mesh.time().timePath()/"lagrangian/grains", -1, -1, "d, position"}, "are damaged: grain " + Foam::name(id),
+        placeInFile(mesh.time().timePath()/"lagrangian/grains", "d, position"), "are damaged: grain " + Foam::name(id),
         Foam::name(diameter), "finite positions and positive diameters"
     });
 }
@@ -192,7 +200,7 @@ std::vector<nscd::StoredImpulse> readContacts
         {
             fail
             ({
-                {mesh.time().timePath()/"lagrangian/contacts", -1, -1, "idA, idB"}, "name a grain or wall that is not there",
+                placeInFile(mesh.time().timePath()/"lagrangian/contacts", "idA, idB"), "name a grain or wall that is not there",
                 Foam::name(idA[c]) + " and " + Foam::name(idB[c]), "ids of lagrangian/grains, and walls as at the time of writing"
             });
         }
@@ -223,7 +231,17 @@ void writeGrainState
 
 bool hasGrainState(const polyMesh& mesh)
 {
-    return hasRunState(mesh);
+    if (hasRunState(mesh)) return true;
+    const Time& time = mesh.time();
+    const bool isHalfWritten =
+        isDir(time.timePath()/cloud::prefix/"grains") || isFile(time.timePath()/"balancedGradient");
+    if (!isHalfWritten) return false;
+    fail
+    ({
+        placeInFile(time.timePath()/"uniform/grainState", "grainState"),
+        "is missing: the directory was not written to its end", string::null,
+        "remove the directory " + time.timeName() + ", and the run continues from the time before it"
+    });
 }
 
 
@@ -234,6 +252,10 @@ GrainState readGrainState
 )
 {
     const RunState run = readRunState(mesh);
+    for (const word& name : expected.numbers)
+    {
+        if (run.numbers.count(name) == 0) fail({run.place, "lacks the number " + name, string::null, "what this version writes"});
+    }
     GrainState state;
     state.grains = readGrains(mesh, run, materials, shape);
     state.extras = readExtras(mesh, run.nGrains, expected);

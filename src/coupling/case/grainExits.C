@@ -24,10 +24,13 @@ std::vector<std::size_t> findExited
         const label patchi = nearestPatch(mesh, toFoam(grains.position[i]));
         if (patchi < 0 || roles.role[patchi] != PatchRole::exit)
         {
+            const word patch = patchi < 0 ? word("none") : mesh.boundaryMesh()[patchi].name();
             FatalErrorInFunction
-                << "Grain " << label(grains.id[i]) << " at " << toFoam(grains.position[i]) << " with velocity "
-                << toFoam(grains.velocity[i]) << " left the mesh near the patch "
-                << (patchi < 0 ? word("none") : mesh.boundaryMesh()[patchi].name()) << ", which is no exit."
+                << messageText
+                   (
+                       "Grain ", label(grains.id[i]), " at ", toFoam(grains.position[i]), " with velocity ",
+                       toFoam(grains.velocity[i]), " left the mesh near the patch ", patch, ", which is no exit."
+                   ).c_str()
                 << exit(FatalError);
         }
         exited.push_back(i);

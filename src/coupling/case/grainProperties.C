@@ -6,9 +6,11 @@
 #include "dictionaryCheck.H"
 #include "grainSourceReader.H"
 #include "materialsReader.H"
+#include "voidFractionMethods.H"
 
 #include "contactSolver.hpp"
 #include "dragLaws.hpp"
+#include "sweepKernels.hpp"
 
 #include "Time.H"
 #include "dimensionSets.H"
@@ -101,6 +103,14 @@ nscd::ContactSettings readContactSettings(const CheckedDict& top)
     s.skin = given.number("skin", atLeast(0), dimless, s.skin);
     s.accelerate = given.flag("accelerate", s.accelerate);
     s.vectorPath = given.choice("vectorPath", {"auto", "portable", "AVX2", "AVX512"}, s.vectorPath);
+    try
+    {
+        nscd::chooseKernels(s.vectorPath.c_str());
+    }
+    catch (const std::invalid_argument& error)
+    {
+        given.reject("vectorPath", "is not for this processor: " + string(error.what()), "auto");
+    }
     given.finish();
     return s;
 }
@@ -111,7 +121,7 @@ VoidFractionSettings readVoidFraction(const CheckedDict& top)
     const dictionary dict = top.subOrEmpty("voidFraction");
     const CheckedDict given(dict);
     VoidFractionSettings settings;
-    settings.method = given.choice("method", voidFractionMethods(), settings.method);
+    settings.method = given.choice("method", toWords(voidFractionMethodNames()), settings.method);
     settings.diffusion = given.number("diffusion", atLeast(0), dimless, settings.diffusion);
     settings.minFluidFraction =
         given.number("minFluidFraction", Range{0, 1, false, false}, dimless, settings.minFluidFraction);
@@ -144,6 +154,7 @@ ForceSettings readForces(const CheckedDict& top)
     drag.finish();
     settings.pressureGradient = given.flag("pressureGradient", settings.pressureGradient);
     settings.viscous = given.flag("viscous", settings.viscous);
+    settings.spinDrag = given.flag("spinDrag", settings.spinDrag);
     given.finish();
     return settings;
 }
@@ -155,7 +166,7 @@ GrainTimeSettings readTimeSettings(const CheckedDict& top)
     const CheckedDict given(dict);
     GrainTimeSettings settings;
     settings.maxGrainDisplacement =
-        given.number("maxGrainDisplacement", above(0), dimless, settings.maxGrainDisplacement);
+        given.number("maxGrainDisplacement", atLeast(0), dimless, settings.maxGrainDisplacement);
     settings.subCycles = given.integer("subCycles", 1, settings.subCycles);
     given.finish();
     return settings;
@@ -167,6 +178,7 @@ void readCoupling(const CheckedDict& top, GrainProperties& properties)
     properties.solvesFluid = top.choice("fluid", {"solved", "none"}, "solved") == "solved";
     properties.hasFeedback = top.flag("feedback", properties.hasFeedback);
     properties.holdsMeanFlow = top.found("meanFlow");
+    properties.meanFlowPlace = top.place("meanFlow");
     properties.meanFlow = top.vec("meanFlow", dimVelocity, Zero);
     properties.voidFraction = readVoidFraction(top);
     properties.forces = readForces(top);
@@ -174,13 +186,6 @@ void readCoupling(const CheckedDict& top, GrainProperties& properties)
 }
 
 } // namespace
-
-
-const Words& voidFractionMethods()
-{
-    static const Words methods = {"centroid", "satellite", "exact"};
-    return methods;
-}
 
 
 dictionary VoidFractionSettings::forMapping(scalar meanDiameter) const
@@ -204,7 +209,7 @@ dictionary GrainProperties::meanFlowDict() const
 GrainProperties readGrainProperties(const dictionary& dict)
 {
     const CheckedDict top(dict);
-    // Where users may keep values of their own, for use as $variables.d.
+    // Where users may keep values of their own, for use as $:variables.d.
     top.found("variables");
     GrainProperties properties;
     properties.materials = readMaterials(top);

@@ -42,9 +42,11 @@ vector readGravity(const Time& time)
     );
     if (g.dimensions() != dimAcceleration)
     {
-        OStringStream given;
-        given << g.dimensions();
-        fail({{time.constant()/"g", -1, -1, "dimensions"}, "has wrong dimensions", given.str(), "[0 1 -2 0 0 0 0]"});
+        fail
+        ({
+            placeInDictionaryFile(g.objectPath(), "dimensions"), "has wrong dimensions",
+            messageText(g.dimensions()), "[0 1 -2 0 0 0 0]"
+        });
     }
     return g.value();
 }
@@ -55,10 +57,11 @@ GrainScene makeGrainScene(const GrainProperties& properties, const polyMesh& mes
     checkTimeControls(mesh.time());
     GrainScene scene;
     scene.space = grainSpace(properties, mesh);
-    checkGravity(gravity, scene.space);
+    checkGravity(gravity, scene.space, mesh.time());
     scene.roles = assignPatchRoles(properties, mesh);
     scene.walls = makeMeshWalls(properties, scene.roles, mesh);
     scene.box = periodicBox(mesh);
+    checkMeanFlow(properties, scene.box);
     return scene;
 }
 

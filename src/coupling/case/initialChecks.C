@@ -3,10 +3,10 @@
 //
 // Checks before the first step.
 #include "initialChecks.H"
+#include "dictionaryCheck.H"
 #include "overlaps.H"
 #include "vectorConversion.H"
 
-#include "StringStream.H"
 #include "Time.H"
 #include "indexedOctree.H"
 #include "treeDataCell.H"
@@ -21,14 +21,6 @@ namespace nscdCoupling
 namespace
 {
 
-template<class... Parts>
-string text(const Parts&... parts)
-{
-    OStringStream os;
-    (os << ... << parts);
-    return os.str();
-}
-
 /// One overlap in words, as "grains 3 and 7 overlap by 0.2".
 string describe(const Overlap& overlap, const nscd::Grains& grains, const nscd::Walls& walls)
 {
@@ -37,11 +29,11 @@ string describe(const Overlap& overlap, const nscd::Grains& grains, const nscd::
     if (overlap.partner >= 0)
     {
         const label other = label(grains.id[overlap.partner]);
-        if (overlap.isCoincident) return text("grains ", id, " and ", other, " have the same center ", position);
-        return text("grains ", id, " and ", other, " overlap by ", overlap.share, " at ", position);
+        if (overlap.isCoincident) return messageText("grains ", id, " and ", other, " have the same center ", position);
+        return messageText("grains ", id, " and ", other, " overlap by ", overlap.share, " at ", position);
     }
     const std::string& wall = walls.patches[walls.regions[-1 - overlap.partner].patch].name;
-    return text("grain ", id, " and the wall ", wall.c_str(), " overlap by ", overlap.share, " at ", position);
+    return messageText("grain ", id, " and the wall ", wall.c_str(), " overlap by ", overlap.share, " at ", position);
 }
 
 /// The worst few overlaps in words.
@@ -63,33 +55,44 @@ string describeWorst(std::vector<Overlap>& overlaps, const nscd::Grains& grains,
 
 void checkTimeControls(const Time& time)
 {
-    const dictionary& control = time.controlDict();
-    if (!(time.deltaTValue() > 0))
+    const CheckedDict control(time.controlDict());
+    control.number("deltaT", above(0), dimTime);
+    if (control.found("writeInterval")) control.number("writeInterval", above(0), dimTime);
+    if (control.flag("adjustTimeStep", false))
     {
-        fail
-        ({
-            placeOf(control, "deltaT"), "is not positive", valueText(control, "deltaT"), "a time step > 0 s"
-        });
+        control.number("maxCo", above(0), dimless, 1);
+        control.number("maxDeltaT", above(0), dimTime, GREAT);
     }
     if (time.endTime().value() < time.value())
     {
-        fail
-        ({
-            placeOf(control, "endTime"), "lies before the start time " + time.timeName(),
-            valueText(control, "endTime"), "a later time"
-        });
+        control.reject("endTime", "lies before the start time " + time.timeName(), "a later time");
     }
 }
 
 
-void checkGravity(const vector& gravity, const GrainSpace& space)
+void checkGravity(const vector& gravity, const GrainSpace& space, const Time& time)
 {
     if (space.emptyAxis < 0 || gravity[space.emptyAxis] == 0) return;
     fail
     ({
-        {"constant/g", -1, -1, "value"}, "has a component along the empty direction of a 2D mesh", text(gravity),
-        text("0 for component ", word(vector::componentNames[space.emptyAxis]))
+        placeInDictionaryFile(time.path()/time.constant()/"g", "value"),
+        "has a component along the empty direction of a 2D mesh", messageText(gravity),
+        messageText("0 for component ", word(vector::componentNames[space.emptyAxis]))
     });
+}
+
+
+void checkMeanFlow(const GrainProperties& properties, const nscd::PeriodicBox& box)
+{
+    for (int k = 0; k < 3; ++k)
+    {
+        if (properties.meanFlow[k] == 0 || box.isPeriodic(k)) continue;
+        fail
+        ({
+            properties.meanFlowPlace, "asks for a flow along a direction without cyclic patches",
+            messageText(properties.meanFlow), messageText("0 for component ", word(vector::componentNames[k]))
+        });
+    }
 }
 
 
@@ -102,8 +105,9 @@ void checkPeriods(const nscd::PeriodicBox& box, const nscd::Grains& grains, cons
         if (!box.isPeriodic(k) || box.length[k] > diameter) continue;
         fail
         ({
-            {mesh.boundaryMesh().objectPath(), -1, -1, "cyclic"}, "makes a period shorter than a grain",
-            text(box.length[k], " along ", word(vector::componentNames[k])), text("more than the largest diameter, ", diameter)
+            placeInFile(mesh.boundaryMesh().objectPath(), "cyclic"), "makes a period shorter than a grain",
+            messageText(box.length[k], " along ", word(vector::componentNames[k])),
+            messageText("more than the largest diameter, ", diameter)
         });
     }
 }
@@ -117,13 +121,14 @@ void checkInsideMesh(const nscd::Grains& grains, const polyMesh& mesh)
     {
         const vector position = toFoam(grains.position[i]);
         if (mesh.cellTree().findInside(position) >= 0) continue;
-        if (++outside <= 5) list += text(outside > 1 ? ", " : "", "grain ", label(grains.id[i]), " at ", position);
+        if (++outside <= 5) list += messageText(outside > 1 ? ", " : "", "grain ", label(grains.id[i]), " at ", position);
     }
     if (outside == 0) return;
     fail
     ({
-        {mesh.time().constant()/"grainProperties", -1, -1, "grains"},
-        text("puts ", label(outside), " grains outside the mesh"), list, text("positions inside the mesh, bounded by ", mesh.bounds())
+        placeInDictionaryFile(mesh.time().path()/mesh.time().constant()/"grainProperties", "grains"),
+        messageText("puts ", label(outside), " grains outside the mesh"), list,
+        messageText("positions inside the mesh, bounded by ", mesh.bounds())
     });
 }
 
@@ -140,8 +145,8 @@ void checkOverlaps
     if (overlaps.empty()) return;
     fail
     ({
-        place, text("is exceeded by ", label(overlaps.size()), " pairs"), describeWorst(overlaps, grains, walls),
-        text("overlaps up to ", maxOverlap, " of the smaller diameter, distinct centers")
+        place, messageText("is exceeded by ", label(overlaps.size()), " pairs"), describeWorst(overlaps, grains, walls),
+        messageText("overlaps up to ", maxOverlap, " of the smaller diameter, distinct centers")
     });
 }
 

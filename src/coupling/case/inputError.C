@@ -4,8 +4,9 @@
 // Complaints about a user's input, told through OpenFOAM's FatalIOError.
 #include "inputError.H"
 
-#include "StringStream.H"
 #include "nearestWord.hpp"
+
+#include "IFstream.H"
 
 namespace Foam
 {
@@ -73,18 +74,31 @@ InputPlace placeOf(const dictionary& dict, const word& keyword)
 }
 
 
+InputPlace placeInFile(const fileName& file, const string& keyword)
+{
+    InputPlace place;
+    place.file = file;
+    place.keyword = keyword;
+    return place;
+}
+
+
+InputPlace placeInDictionaryFile(const fileName& file, const word& keyword)
+{
+    IFstream is(file);
+    if (!is.good()) return placeInFile(file, keyword);
+    const dictionary dict(file, dictionary::null, is);
+    return placeOf(dict, keyword);
+}
+
+
 string valueText(const dictionary& dict, const word& keyword)
 {
     const entry* found = dict.findEntry(keyword, keyType::LITERAL);
     if (!found || found->isDict()) return string::null;
-    OStringStream text;
-    const tokenList& tokens = found->stream();
-    forAll(tokens, i)
-    {
-        if (i) text << ' ';
-        text << tokens[i];
-    }
-    return text.str();
+    string text;
+    for (const token& tok : found->stream()) text += (text.empty() ? "" : " ") + messageText(tok);
+    return text;
 }
 
 

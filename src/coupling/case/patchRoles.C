@@ -24,7 +24,7 @@ namespace
 
 InputPlace boundaryPlace(const polyMesh& mesh, const polyPatch& patch)
 {
-    return {mesh.boundaryMesh().objectPath(), -1, -1, patch.name()};
+    return placeInFile(mesh.boundaryMesh().objectPath(), patch.name());
 }
 
 bool isWallByType(const polyPatch& patch)
@@ -186,7 +186,7 @@ int emptyAxis(const polyMesh& mesh)
     if (mesh.nGeometricD() == 3) return -1;
     if (mesh.nGeometricD() < 2)
     {
-        fail({{mesh.boundaryMesh().objectPath(), -1, -1, "boundary"}, "leaves the mesh fewer than two dimensions"});
+        fail({placeInFile(mesh.boundaryMesh().objectPath(), "boundary"), "leaves the mesh fewer than two dimensions"});
     }
     for (int k = 0; k < 3; ++k)
     {

@@ -23,6 +23,12 @@ namespace
 const char* const listLayout = "a list of positions, ( (x y z) (x y z) ... )";
 const char* const rowLayout = "rows of x y z d [material], in m";
 
+void checkHolds(std::size_t number, const fileName& path, const InputPlace& source)
+{
+    if (number > 0) return;
+    fail({source, "names a file that holds no grain", path, "a file with grains; for a case without any, grains {}"});
+}
+
 void checkExists(const fileName& path, const InputPlace& source)
 {
     if (isFile(path)) return;
@@ -34,13 +40,6 @@ void checkExists(const fileName& path, const InputPlace& source)
 [[noreturn]] void failAt(const Istream& is, const string& problem, const string& value = string::null)
 {
     fail({{is.name(), is.lineNumber(), is.lineNumber(), fileName(is.name()).name()}, problem, value, listLayout});
-}
-
-string textOf(const token& tok)
-{
-    OStringStream text;
-    text << tok;
-    return text.str();
 }
 
 token nextToken(IFstream& is, std::size_t nRead)
@@ -64,12 +63,12 @@ vector readPosition(IFstream& is, std::size_t nRead)
         const token tok = nextToken(is, nRead);
         if (!tok.isNumber() || !std::isfinite(tok.number()))
         {
-            failAt(is, "holds a position whose coordinate is not a finite number", textOf(tok));
+            failAt(is, "holds a position whose coordinate is not a finite number", messageText(tok));
         }
         position[k] = tok.number();
     }
     const token closing = nextToken(is, nRead);
-    if (!isMark(closing, token::END_LIST)) failAt(is, "holds a position without three coordinates", textOf(closing));
+    if (!isMark(closing, token::END_LIST)) failAt(is, "holds a position without three coordinates", messageText(closing));
     return position;
 }
 
@@ -87,6 +86,11 @@ std::vector<vector> readBinary(IFstream& is, const token& count)
 {
     is.putBack(count);
     const List<vector> positions(is);
+    for (const vector& x : positions)
+    {
+        const bool isFinite = std::isfinite(x.x()) && std::isfinite(x.y()) && std::isfinite(x.z());
+        if (!isFinite) failAt(is, "holds a position whose coordinate is not a finite number", messageText(x));
+    }
     return std::vector<vector>(positions.begin(), positions.end());
 }
 
@@ -119,22 +123,28 @@ std::vector<vector> readPositionsFile(const fileName& path, const InputPlace& so
     checkExists(path, source);
     IFstream is(path);
     token tok = skipHeader(is);
-    if (is.format() == IOstream::BINARY) return readBinary(is, tok);
+    if (is.format() == IOstream::BINARY)
+    {
+        const std::vector<vector> positions = readBinary(is, tok);
+        checkHolds(positions.size(), path, source);
+        return positions;
+    }
 
     const label stated = tok.isLabel() ? tok.labelToken() : -1;
     if (tok.isLabel()) tok = nextToken(is, 0);
-    if (!isMark(tok, token::BEGIN_LIST)) failAt(is, "does not start with (", textOf(tok));
+    if (!isMark(tok, token::BEGIN_LIST)) failAt(is, "does not start with (", messageText(tok));
 
     std::vector<vector> positions;
     for (tok = nextToken(is, 0); !isMark(tok, token::END_LIST); tok = nextToken(is, positions.size()))
     {
-        if (!isMark(tok, token::BEGIN_LIST)) failAt(is, "holds something that is no position", textOf(tok));
+        if (!isMark(tok, token::BEGIN_LIST)) failAt(is, "holds something that is no position", messageText(tok));
         positions.push_back(readPosition(is, positions.size()));
     }
     if (stated >= 0 && stated != label(positions.size()))
     {
         failAt(is, "states " + Foam::name(stated) + " positions and holds " + Foam::name(label(positions.size())));
     }
+    checkHolds(positions.size(), path, source);
     return positions;
 }
 
@@ -152,6 +162,7 @@ std::vector<TableRow> readGrainTable(const fileName& path, const InputPlace& sou
         if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
         rows.push_back(readRow(line, {path, lineNumber, lineNumber, path.name()}));
     }
+    checkHolds(rows.size(), path, source);
     return rows;
 }
 

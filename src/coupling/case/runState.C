@@ -49,6 +49,19 @@ void writeRunState(const polyMesh& mesh, const RunState& state)
 }
 
 
+void writeExactTime(const Time& time)
+{
+    const FullPrecision precision;
+    IOdictionary dict
+    (
+        IOobject("time", time.timeName(), "uniform", time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
+    );
+    dict.set("deltaT", time.timeToUserTime(time.deltaTValue()));
+    dict.set("deltaT0", time.timeToUserTime(time.deltaT0Value()));
+    dict.writeObject(IOstream::ASCII, IOstream::currentVersion, IOstream::UNCOMPRESSED, true);
+}
+
+
 bool hasRunState(const polyMesh& mesh)
 {
     return stateFile(mesh, IOobject::READ_IF_PRESENT).typeHeaderOk<IOdictionary>(true);
@@ -58,7 +71,7 @@ bool hasRunState(const polyMesh& mesh)
 RunState readRunState(const polyMesh& mesh)
 {
     const IOobject file = stateFile(mesh, IOobject::MUST_READ);
-    if (!hasRunState(mesh)) fail({{file.objectPath(), -1, -1, "grainState"}, "is missing or has no header"});
+    if (!hasRunState(mesh)) fail({placeInFile(file.objectPath(), "grainState"), "is missing or has no header"});
     const IOdictionary dict(file);
     const CheckedDict given(dict);
     RunState state;

@@ -30,6 +30,13 @@ void refuseConsistent(const dictionary& pimple)
     }
 }
 
+// The best that is known of a field at the end of this step.
+template<class Field>
+tmp<Field> latest(const Field& field, const pimpleControl& pimple)
+{
+    return pimple.firstIter() ? extrapolated(field) : tmp<Field>(field);
+}
+
 } // End anonymous namespace
 
 
@@ -41,10 +48,11 @@ FluidSolver::FluidSolver(fvMesh& mesh, GrainSources& sources, const dictionary& 
     fields_(mesh, sources.alpha),
     turbulence_(sources.alpha, fields_.U, fields_.phi),
     g_(readGravity(mesh)),
+    hydrostatic_("hydrostatic", rho()*(g_ & mesh.C())),
     p_
     (
         IOobject("p", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::AUTO_WRITE),
-        fields_.pRgh + rho()*(g_ & mesh.C())
+        fields_.pRgh + hydrostatic_
     ),
     options_(fv::options::New(mesh)),
     pressure_(mesh, pimple_, p_, fields_.pRgh, meanFlowDict)
@@ -74,16 +82,13 @@ void FluidSolver::solveWithGrains()
     const List<Border> borders(bordersOf(fields_));
     const GrainFaceTerms terms(sources_, fields_, borders);
 
-    const tmp<surfaceScalarField> convecting
-    (
-        pimple_.firstIter() ? extrapolatedFlux(fields_.phi) : tmp<surfaceScalarField>(fields_.phi)
-    );
-    const tmp<fvVectorMatrix> minusDivTau(turbulence_.minusDivTau(fields_.U));
+    const tmp<surfaceScalarField> convecting(latest(fields_.phi, pimple_));
+    const tmp<fvVectorMatrix> minusDivTau(turbulence_.minusDivTau(fields_.U, latest(fields_.U, pimple_)()));
     tmp<fvVectorMatrix> momentum(averagedMomentum(fields_, sources_, minusDivTau(), convecting(), options_));
     momentum.ref().relax();
     options_.constrain(momentum.ref());
 
-    if (pimple_.momentumPredictor() && fields_.hasBalancedGradient)
+    if (pimple_.momentumPredictor())
     {
         predictVelocity(fields_, sources_, terms, momentum(), rho());
         options_.correct(fields_.U);
@@ -124,7 +129,7 @@ void FluidSolver::solvePlain()
 // The reference height is the origin, as OpenFOAM has it without constant/hRef.
 void FluidSolver::updateAbsolutePressure()
 {
-    p_ = fields_.pRgh + rho()*(g_ & mesh_.C());
+    p_ = fields_.pRgh + hydrostatic_;
 }
 
 

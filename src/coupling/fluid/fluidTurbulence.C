@@ -38,12 +38,12 @@ FluidTurbulence::~FluidTurbulence() = default;
 
 
 // The schemes are named as in pimpleFoam, so that its fvSchemes serve here too.
-tmp<fvVectorMatrix> FluidTurbulence::minusDivTau(volVectorField& U) const
+tmp<fvVectorMatrix> FluidTurbulence::minusDivTau(volVectorField& U, const volVectorField& known) const
 {
     const volScalarField nuEff("nuEff", model_->nuEff());
     return
     (
-      - fvc::div(nuEff*dev2(T(fvc::grad((2*U.oldTime()-U.oldTime().oldTime())()))), "div((nuEff*dev2(T(grad(U)))))")
+      - fvc::div(nuEff*dev2(T(fvc::grad(known))), "div((nuEff*dev2(T(grad(U)))))")
       - fvm::laplacian(nuEff, U, "laplacian(nuEff,U)")
     );
 }

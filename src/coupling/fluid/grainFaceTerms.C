@@ -6,6 +6,7 @@
 
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "linear.H"
+#include "surfaceInterpolate.H"
 
 namespace Foam
 {
@@ -48,7 +49,7 @@ tmp<surfaceScalarField> motionOnFaces(tmp<surfaceScalarField> faces, const List<
 
 tmp<surfaceScalarField> fluxOf(const volVectorField& cells)
 {
-    return cells.mesh().Sf() & linearInterpolate(cells);
+    return cells.mesh().Sf() & fvc::interpolate(cells, "flux(HbyA)");
 }
 
 tmp<volVectorField> explicitForce(const GrainSources& sources, const FluidFields& fields)

@@ -16,14 +16,6 @@ namespace Foam
 namespace nscdCoupling
 {
 
-tmp<surfaceScalarField> extrapolatedFlux(const surfaceScalarField& phi)
-{
-    const surfaceScalarField& last = phi.oldTime();
-    const Time& time = phi.mesh().time();
-    return last + time.deltaTValue()/time.deltaT0Value()*(last - last.oldTime());
-}
-
-
 tmp<fvVectorMatrix> averagedMomentum
 (
     FluidFields& fields,
@@ -51,7 +43,7 @@ tmp<fvVectorMatrix> plainMomentum(FluidFields& fields, const FluidTurbulence& tu
     volVectorField& U = fields.U;
     tmp<fvVectorMatrix> momentum
     (
-        fvm::ddt(U) + fvm::div(fields.phi, U) + turbulence.minusDivTau(U) == options(U)
+        fvm::ddt(U) + fvm::div(fields.phi, U) + turbulence.minusDivTau(U, U) == options(U)
     );
     if (fields.bodyAcceleration.valid()) momentum.ref() -= fields.bodyAcceleration();
     return momentum;

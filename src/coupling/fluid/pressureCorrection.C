@@ -11,6 +11,7 @@
 #include "fvcDiv.H"
 #include "fvmLaplacian.H"
 #include "linear.H"
+#include "surfaceInterpolate.H"
 
 namespace Foam
 {
@@ -22,7 +23,7 @@ namespace
 
 tmp<surfaceScalarField> fluxOf(const volVectorField& cells)
 {
-    return cells.mesh().Sf() & linearInterpolate(cells);
+    return cells.mesh().Sf() & fvc::interpolate(cells, "flux(HbyA)");
 }
 
 // What the mixture of fluid and grains does when the fluid alone obeys the given law.
@@ -82,7 +83,7 @@ tmp<surfaceScalarField> PressureCorrection::solvePressure
 )
 {
     const surfaceScalarField coefficient("mobilityPerDensity", mobility/rho);
-    tmp<surfaceScalarField> gradientFlux;
+    tmp<surfaceScalarField> correction;
     while (pimple_.correctNonOrthogonal())
     {
         fvScalarMatrix equation
@@ -91,9 +92,9 @@ tmp<surfaceScalarField> PressureCorrection::solvePressure
         );
         equation.setReference(refCell_, refValue_);
         equation.solve(mesh_.solver(pRgh.select(pimple_.finalInnerIter())));
-        if (pimple_.finalNonOrthogonalIter()) gradientFlux = equation.flux()/mobility;
+        if (pimple_.finalNonOrthogonalIter()) correction = equation.flux();
     }
-    return gradientFlux;
+    return correction;
 }
 
 
@@ -104,15 +105,16 @@ tmp<surfaceScalarField> PressureCorrection::balanceMixture
 {
     if (!meanFlow_.isHeld())
     {
-        tmp<surfaceScalarField> gradientFlux(solvePressure(fields.pRgh, mixture.free, mixture.mobility, rho));
-        mixtureFlux_.reset(new surfaceScalarField(mixture.free - mixture.mobility*gradientFlux()));
-        return gradientFlux;
+        const tmp<surfaceScalarField> correction(solvePressure(fields.pRgh, mixture.free, mixture.mobility, rho));
+        mixtureFlux_.reset(new surfaceScalarField(mixture.free - correction()));
+        return correction/mixture.mobility;
     }
 
     const surfaceScalarField uniform(meanFlow_.gradientFlux(rho));
     tmp<surfaceScalarField> gradientFlux
     (
-        uniform + solvePressure(fields.pRgh, mixture.free - mixture.mobility*uniform, mixture.mobility, rho)
+        uniform
+      + solvePressure(fields.pRgh, mixture.free - mixture.mobility*uniform, mixture.mobility, rho)/mixture.mobility
     );
     mixtureFlux_.reset(new surfaceScalarField(mixture.free - mixture.mobility*gradientFlux()));
     meanFlow_.hold(mixtureFlux_(), gradientFlux.ref(), fields.pRgh, mixture.mobility, rho);

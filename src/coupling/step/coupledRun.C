@@ -34,7 +34,7 @@ constexpr scalar lightFluid = 0.05;
 bool CoupledRun::nextStep()
 {
     if (!time_.run()) return false;
-    if (time_.timeIndex() > time_.startTimeIndex()) adjustTimeStep(time_, reach_, properties_.time.maxGrainDisplacement);
+    if (reach_.isKnown) adjustTimeStep(time_, reach_, properties_.time.maxGrainDisplacement);
     ++time_;
     if (hasFluid()) immersion_->sources.beginStep();
     return true;
@@ -89,18 +89,18 @@ GrainResponse CoupledRun::predictResponse()
     (
         grains, step_.at, step_.drag.implicit, step_.drag.remainder, immersion_->fluid->rho().value(), gravity_, deltaT
     );
-    ::nscd::Prediction prediction;
     dynamics_->beginStep(deltaT);
+    ::nscd::Prediction prediction = freePrediction(grains, external, deltaT);
+    std::vector<scalar> mobility(grains.size(), 1.0);
     if (dynamics_->hasContacts())
     {
         prediction = dynamics_->predict(external);
-        step_.predictorSweeps = prediction.solve.sweeps;
+        const TrialPush push = makeTrialPush(grains, step_.force, step_.drag, step_.at, external, deltaT);
+        const ::nscd::Prediction pushed = dynamics_->predict(push.external);
+        mobility = followedShare(push, prediction, pushed);
+        step_.predictorSweeps = prediction.solve.sweeps + pushed.solve.sweeps;
     }
-    else
-    {
-        prediction = freePrediction(grains, external, deltaT);
-    }
-    return contactAwareResponse(grains, step_.force, step_.drag, step_.at, prediction, active_.pressureGradient, deltaT);
+    return contactAwareResponse(grains, step_.drag, step_.at, prediction, mobility, active_.pressureGradient, deltaT);
 }
 
 void CoupledRun::solveFluid()
@@ -137,7 +137,7 @@ void CoupledRun::advanceGrains()
     step_.grainReport = ::nscd::StepReport();
     for (label cycle = 0; cycle < subCycles; ++cycle)
     {
-        const LinearDrag drag = subCycles == 1 || step_.drag.implicit.empty()
+        const LinearDrag drag = subCycles == 1 || !active_.drag
             ? step_.drag : splitAgain(dynamics_->grains(), step_.drag, dragModel().weighting, deltaT);
         step_.grainReport = worstOf(step_.grainReport, advanceOnce(drag, deltaT), cycle + 1);
     }
@@ -180,7 +180,7 @@ void CoupledRun::settleDebt()
 {
     const scalar deltaT = time_.deltaTValue();
     Vec3 paidSum = Vec3::Zero(), oldDebt = Vec3::Zero();
-    scalar received = 0;
+    scalar received = 0, momentum = 0;
     for (std::size_t i = 0; i < step_.received.size(); ++i)
     {
         const Vec3& u = step_.at.velocity[i];
@@ -189,10 +189,11 @@ void CoupledRun::settleDebt()
         paidSum += paid;
         oldDebt += debt_[i];
         received += step_.received[i].norm();
+        momentum += dynamics_->grains().mass[i]*step_.startVelocity[i].norm();
         debt_[i] = paid - step_.received[i];
     }
     const Vec3 spread = deltaT*toVec3(step_.spreadForce);
-    step_.momentumError = (spread + paidSum - oldDebt).norm()/std::max(received, VSMALL);
+    step_.momentumError = (spread + paidSum - oldDebt).norm()/std::max({received, momentum, VSMALL});
 }
 
 void CoupledRun::depositGrains()

@@ -4,6 +4,7 @@
 // What a run tells: log, report and written times.
 #include "step/coupledRun.H"
 
+#include "case/runState.H"
 #include "vectorConversion.H"
 
 #include <algorithm>
@@ -82,6 +83,7 @@ void CoupledRun::reportStep()
     const StepRow row = describeStep();
     report_->write(row);
     log_.step(row, describeFluid());
+    reach_.isKnown = true;
     time_.write();
     if (time_.writeTime()) write();
 }
@@ -89,7 +91,7 @@ void CoupledRun::reportStep()
 void CoupledRun::write()
 {
     GrainState state;
-    state.numbers["exited"] = scalar(exited_);
+    state.numbers = {{"exited", scalar(exited_)}, {"time", time_.value()}, {"courant", reach_.courant}, {"displacement", reach_.displacement}};
     state.contacts = dynamics_->checkpoint(state.numbers["lastDeltaT"]);
     state.grains = dynamics_->grains();
     state.extras.vectors[dragDebtField] = debt_;
@@ -98,6 +100,7 @@ void CoupledRun::write()
     labelList cells(label(state.grains.nOwned), -1);
     if (hasFluid() && hasGrains()) std::copy(immersion_->mapping.cells().begin(), immersion_->mapping.cells().end(), cells.begin());
     writeGrainState(mesh_, state, properties_.materials.table, cells);
+    writeExactTime(time_);
 }
 
 void CoupledRun::finish() const { log_.finish(timing_); }

@@ -4,6 +4,9 @@
 // How a run starts: from grainProperties, or from a written time.
 #include "step/coupledRun.H"
 
+#include "case/numericsCheck.H"
+#include "case/sceneLog.H"
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -19,19 +22,10 @@ scalar meanDiameter(const ::nscd::Grains& grains)
     return grains.size() > 0 ? sum/grains.size() : 0;
 }
 
-dictionary voidFractionDict(const VoidFractionSettings& settings, const ::nscd::Grains& grains)
+/// The time that a directory's name gives has lost digits; a directory that was renamed, to start anew at 0 say, keeps its name.
+void continueTime(Time& time, scalar written)
 {
-    dictionary dict;
-    dict.add("method", word(settings.method));
-    dict.add("diffusionLength", settings.diffusion*meanDiameter(grains));
-    return dict;
-}
-
-dictionary meanFlowDict(const GrainProperties& properties)
-{
-    dictionary dict;
-    if (properties.holdsMeanFlow) dict.add("target", properties.meanFlow);
-    return dict;
+    if (Time::timeName(written) == time.timeName()) time.setTime(written, time.timeIndex());
 }
 
 bool areAllFixed(const ::nscd::Grains& grains)
@@ -43,9 +37,11 @@ bool areAllFixed(const ::nscd::Grains& grains)
     return true;
 }
 
-ActiveForces activeForces(const ForceSettings& forces)
+ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool hasFriction)
 {
-    return {forces.dragLaw != "none", forces.pressureGradient, forces.viscous};
+    if (!hasFluid) return {false, false, false, false};
+    const bool hasDrag = forces.dragLaw != "none";
+    return {hasDrag, forces.pressureGradient, forces.viscous, hasDrag && hasFriction && forces.spinDrag};
 }
 
 } // namespace
@@ -63,19 +59,21 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     properties_(readGrainProperties(time)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
-    active_(activeForces(properties_.forces)),
+    active_(activeForces(properties_.forces, properties_.solvesFluid, properties_.materials.table.anyFriction())),
     log_(time, Info, properties_.solvesFluid)
 {
     startGrains();
     if (properties_.solvesFluid) startFluid();
     else if (scene_.roles.ofRole(PatchRole::exit).size() > 0) locations_ = std::make_unique<GrainLocations>(mesh);
     report_ = std::make_unique<GrainReport>(time);
+    logScene(Info, properties_, scene_, dynamics_->grains(), mesh, hasGrainState(mesh));
 }
 
 GrainState CoupledRun::readState() const
 {
     RestartExpectation expected;
     expected.vectors = {dragDebtField, contactForceField};
+    expected.numbers = {"exited", "lastDeltaT", "time", "courant", "displacement"};
     expected.nWallRegions = label(scene_.walls.regions.size());
     return readGrainState(mesh_, properties_.materials, scene_.space.shape, expected);
 }
@@ -97,19 +95,24 @@ void CoupledRun::startGrains()
     debt_ = state.extras.vectors.at(dragDebtField);
     lastContactForce_ = state.extras.vectors.at(contactForceField);
     exited_ = static_cast<std::int64_t>(state.numbers.at("exited"));
+    continueTime(time_, state.numbers.at("time"));
+    reach_ = {state.numbers.at("courant"), state.numbers.at("displacement"), true};
     dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
 }
 
 void CoupledRun::startFluid()
 {
     const ::nscd::Grains& grains = dynamics_->grains();
-    immersion_ = std::make_unique<Immersion>(mesh_, voidFractionDict(properties_.voidFraction, grains));
+    immersion_ = std::make_unique<Immersion>(mesh_, properties_.voidFraction.forMapping(meanDiameter(grains)));
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
     sources.isStatic = hasGrains() && areAllFixed(grains);
     sources.hasResponse = feedsBack() && !sources.isStatic;
     if (hasGrains()) updateWeights();
-    immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, meanFlowDict(properties_));
+    checkFieldDimensions(mesh_);
+    checkTransportProperties(time_);
+    immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());
+    checkNumerics(immersion_->fluid->phi(), sources.hasGrains || properties_.holdsMeanFlow);
 }
 
 DragModel CoupledRun::dragModel() const
@@ -118,7 +121,8 @@ DragModel CoupledRun::dragModel() const
     {
         closures::findDragLaw(properties_.forces.dragLaw).law,
         closures::findDragWeighting(properties_.forces.dragWeight),
-        immersion_->fluid->rho().value()
+        immersion_->fluid->rho().value(),
+        active_.spinDrag
     };
 }
 

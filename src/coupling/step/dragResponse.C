@@ -14,6 +14,9 @@ namespace nscdCoupling
 namespace
 {
 
+/// The trial push against the speed scale of the step: well above the contact tolerance, well below what moves a bed.
+constexpr scalar pushShare = 0.1;
+
 closures::GrainSize sizeOf(const ::nscd::Grains& grains, std::size_t i)
 {
     return grains.shape.dimensions == 2
@@ -36,6 +39,13 @@ scalar dragCoefficient
     if (!isFree) return model.law(state);
     const closures::DragStep step{at.velocity[i], force, grains.mass[i], deltaT};
     return closures::gammaAtMidSlip(model.law, state, step, grains.velocity[i], model.weighting);
+}
+
+scalar spinDrag(const ::nscd::Grains& grains, std::size_t i, scalar viscosity)
+{
+    return grains.shape.dimensions == 2
+        ? closures::discSpinDrag(2*grains.radius[i], grains.shape.thickness, viscosity)
+        : closures::sphereSpinDrag(2*grains.radius[i], viscosity);
 }
 
 void setSplit
@@ -84,6 +94,9 @@ LinearDrag linearizeDrag
         setSplit(drag, i, gamma, grains.mass[i], model.weighting, deltaT);
         if (!grains.isFixed[i]) drag.largestStiffness = std::max(drag.largestStiffness, gamma*deltaT/grains.mass[i]);
     }
+    if (!model.hasSpinDrag) return drag;
+    drag.spin.resize(grains.size());
+    for (std::size_t i = 0; i < grains.size(); ++i) drag.spin[i] = spinDrag(grains, i, at.viscosity[i]);
     return drag;
 }
 
@@ -99,31 +112,57 @@ LinearDrag linearizeDrag
     {
         external.force[i] += drag.implicit[i]*at.velocity[i] + drag.remainder[i]*(at.velocity[i] - grains.velocity[i]);
     }
+    external.implicitSpinDrag = drag.spin;
+    external.torque.resize(drag.spin.size());
+    for (std::size_t i = 0; i < drag.spin.size(); ++i) external.torque[i] = drag.spin[i]*at.spin[i];
     return external;
+}
+
+TrialPush makeTrialPush
+(
+    const ::nscd::Grains& grains, const std::vector<Vec3>& force, const LinearDrag& drag, const FluidAtGrains& at,
+    const ::nscd::ExternalForces& external, scalar deltaT
+)
+{
+    TrialPush push{external, std::vector<Vec3>(grains.size(), Vec3::Zero()), pushShare*external.speedScale};
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const scalar gamma = drag.implicit[i] + drag.remainder[i];
+        push.direction[i] = (gamma*(at.velocity[i] - grains.velocity[i]) - force[i]).normalized();
+        push.external.force[i] += push.speed/deltaT*grains.mass[i]/drag.velocityFactor[i]*push.direction[i];
+    }
+    return push;
+}
+
+std::vector<scalar> followedShare
+(
+    const TrialPush& push, const ::nscd::Prediction& before, const ::nscd::Prediction& after
+)
+{
+    std::vector<scalar> share(push.direction.size(), 1.0);
+    if (push.speed <= 0) return share;
+    for (std::size_t i = 0; i < share.size(); ++i)
+    {
+        const scalar followed = push.direction[i].dot(after.velocity[i] - before.velocity[i])/push.speed;
+        share[i] = std::min(1.0, std::max(0.0, followed));
+    }
+    return share;
 }
 
 GrainResponse contactAwareResponse
 (
-    const ::nscd::Grains& grains, const std::vector<Vec3>& force, const LinearDrag& drag, const FluidAtGrains& at,
-    const ::nscd::Prediction& prediction, bool feelsPressure, scalar deltaT
+    const ::nscd::Grains& grains, const LinearDrag& drag, const FluidAtGrains& at,
+    const ::nscd::Prediction& prediction, const std::vector<scalar>& mobility, bool feelsPressure, scalar deltaT
 )
 {
     GrainResponse response;
-    response.intercept.resize(grains.size());
+    response.intercept = prediction.velocity;
     response.slip.assign(grains.size(), 0.0);
     response.mobility.assign(grains.size(), 0.0);
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        response.intercept[i] = prediction.velocity[i];
         if (grains.isFixed[i]) continue;
-
-        const Vec3 applied = force[i] + drag.implicit[i]*(at.velocity[i] - prediction.velocity[i])
-            + drag.remainder[i]*(at.velocity[i] - grains.velocity[i]);
-        const Vec3& contact = prediction.contactForce[i];
-        const scalar freedom = contact == Vec3::Zero() ? 1.0
-            : std::min(1.0, (applied + contact).norm()/std::max(applied.norm(), VSMALL));
-
-        const scalar gain = freedom*drag.velocityFactor[i]*deltaT/grains.mass[i];
+        const scalar gain = mobility[i]*drag.velocityFactor[i]*deltaT/grains.mass[i];
         response.slip[i] = gain*(drag.implicit[i] + drag.remainder[i]);
         response.intercept[i] -= response.slip[i]*at.velocity[i];
         if (feelsPressure)

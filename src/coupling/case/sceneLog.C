@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The lines about the case.
+#include "sceneLog.H"
+#include "logText.H"
+
+#include "sweepKernels.hpp"
+
+#include "Time.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+string namesOf(const labelList& patches, const polyMesh& mesh)
+{
+    string names;
+    for (const label patchi : patches) names += (names.empty() ? "" : " ") + mesh.boundaryMesh()[patchi].name();
+    return names.empty() ? string("none") : names;
+}
+
+string describeGrains(const nscd::Grains& grains)
+{
+    if (grains.size() == 0) return "none";
+    const auto range = std::minmax_element(grains.radius.begin(), grains.radius.end());
+    return formatted
+    (
+        "%zu %s, diameter %.4g to %.4g m, volume %.6g m3",
+        grains.size(), grains.shape.dimensions == 2 ? "discs" : "spheres",
+        2*(*range.first), 2*(*range.second), totalVolume(grains)
+    );
+}
+
+string describeWalls(const GrainScene& scene, const polyMesh& mesh)
+{
+    string planes;
+    const std::size_t count = scene.roles.ofRole(PatchRole::wall).size();
+    for (std::size_t i = count; i < scene.walls.patches.size(); ++i) planes += " " + scene.walls.patches[i].name;
+    const string patches = namesOf(scene.roles.ofRole(PatchRole::wall), mesh);
+    return formatted("%s%s, %zu flat regions", patches.c_str(), planes.c_str(), scene.walls.regions.size());
+}
+
+string describeFluid(const GrainProperties& properties)
+{
+    if (!properties.solvesFluid) return "none";
+    return formatted
+    (
+        "solved, feedback %s; drag %s; void fraction %s",
+        properties.hasFeedback ? "on" : "off", properties.forces.dragLaw.c_str(), properties.voidFraction.method.c_str()
+    );
+}
+
+} // namespace
+
+
+void logScene
+(
+    Ostream& os, const GrainProperties& properties, const GrainScene& scene, const nscd::Grains& grains,
+    const polyMesh& mesh, bool isRestart
+)
+{
+    const nscd::ContactSettings& contact = properties.contact;
+    const auto line = [&](const char* head, const string& text)
+    {
+        os << formatted("  %-9s", head).c_str() << text.c_str() << nl;
+    };
+    os << "Case" << nl;
+    line("grains", describeGrains(grains));
+    if (isRestart) line("", "from time " + mesh.time().timeName() + "; `grains` of grainProperties are for a new start only");
+    line("walls", describeWalls(scene, mesh));
+    line("exits", namesOf(scene.roles.ofRole(PatchRole::exit), mesh));
+    line("periodic", namesOf(scene.roles.ofRole(PatchRole::periodic), mesh));
+    line("contacts", formatted
+    (
+        "%s, tolerance %.3g, at most %d sweeps, %s", contact.solver.c_str(), contact.tolerance, contact.maxSweeps,
+        nscd::chooseKernels(contact.vectorPath.c_str()).name
+    ));
+    line("fluid", describeFluid(properties));
+    os << endl;
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

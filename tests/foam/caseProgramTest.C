@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Tests of nscdDEMFoam itself on small cases: what stops it before the first step, what it writes, and restarts.
+#include "caseTools.H"
+#include "programCase.H"
+
+#include "OSspecific.H"
+
+using namespace Foam;
+using namespace Foam::nscdCoupling::testing;
+
+namespace
+{
+
+const std::string grains =
+    "materials { glass { density 2500; } } contacts { default { friction 0.3; restitution 0.4; } }"
+    "grains { type lattice; box (0.02 0.02 0.02) (0.08 0.08 0.06); count (3 3 2); diameter 0.01; jitter 0.5; }"
+    "patches { front { type wall; } back { type exit; } } ";
+
+/// Stopped with status 1 and these pieces of text, and no step was taken.
+::testing::AssertionResult isRefused(const ProgramCase& c, const std::vector<std::string>& pieces, const std::string& arguments = "")
+{
+    const ProgramRun run = c.run("nscdDEMFoam", arguments);
+    if (run.status != 1) return ::testing::AssertionFailure() << "status " << run.status << ": " << run.log;
+    if (!c.reported("0", "time").empty()) return ::testing::AssertionFailure() << "a step was taken: " << run.log;
+    return holds(run.log, pieces);
+}
+
+::testing::AssertionResult isRefusedWith
+(
+    const std::string& file, const std::string& contents, const std::vector<std::string>& pieces
+)
+{
+    return isRefused(ProgramCase(Files{{file, contents}}), pieces);
+}
+
+::testing::AssertionResult succeeds(const ProgramRun& run)
+{
+    return run.status == 0 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << run.status << ": " << run.log;
+}
+
+} // namespace
+
+TEST(Program, stopsAtBadGrainPropertiesWithFileAndLine)
+{
+    EXPECT_TRUE(isRefusedWith("constant/grainProperties", "\n\n" + grains + "\nfeedbak off;",
+        {"constant/grainProperties", "line 5", "feedbak", "nearest: feedback"}));
+}
+
+TEST(Program, stopsWhereAFileIsMissing)
+{
+    const std::vector<std::string> files =
+    {
+        "constant/grainProperties", "constant/g", "constant/transportProperties", "constant/turbulenceProperties",
+        "0/U", "0/p_rgh", "system/fvSchemes", "system/fvSolution"
+    };
+    for (const std::string& file : files) EXPECT_TRUE(isRefusedWith(file, "", {fileName(file).name()})) << file;
+}
+
+TEST(Program, stopsAtFluidPropertiesThatMakeNoSense)
+{
+    const std::string file = "constant/transportProperties", model = "\n transportModel Newtonian; ";
+    EXPECT_TRUE(isRefusedWith(file, model + "nu 1e-6;", {file, "rho", "is missing"}));
+    EXPECT_TRUE(isRefusedWith(file, model + "nu 1e-6; rho -1;", {file, "line 3", "rho", "> 0"}));
+    EXPECT_TRUE(isRefusedWith(file, model + "nu -1e-6; rho 1;", {file, "line 3", "nu", "> 0"}));
+    EXPECT_TRUE(isRefusedWith(file, model + "nu 1e-6; rho [0 1 0 0 0 0 0] 1;", {file, "rho", "wrong dimensions"}));
+    EXPECT_TRUE(isRefusedWith("0/p_rgh",
+        "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0; boundaryField { \".*\" { type zeroGradient; } }",
+        {"0/p_rgh", "line 2", "[0 2 -2 0 0 0 0]", "[1 -1 -2 0 0 0 0]", "Pa"}));
+}
+
+TEST(Program, stopsAtTimeControlsThatAreNotPositive)
+{
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), "deltaT 0;"), {"system/controlDict", "deltaT"}));
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), "deltaT -1e-3;"), {"system/controlDict", "deltaT"}));
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), "writeControl runTime; writeInterval -1;"), {"controlDict", "writeInterval"}));
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), "adjustTimeStep yes; maxDeltaT -1;"), {"controlDict", "maxDeltaT"}));
+}
+
+TEST(Program, runsWithTheShortestGrainProperties)
+{
+    const ProgramCase c;
+    EXPECT_TRUE(succeeds(c.run()));
+    EXPECT_EQ(c.reported("0", "time").size(), 10u);
+    EXPECT_EQ(c.reported("0", "grains").back(), 18);
+    for (const char* file : {"U", "p_rgh", "p", "alpha.fluid", "phi", "lagrangian/grains/positions", "lagrangian/grains/fFluid"})
+    {
+        EXPECT_TRUE(isFile(c.path("0.01")/file)) << file;
+    }
+}
+
+TEST(Program, runsWithoutFluidFields)
+{
+    Files files;
+    for (const char* file : {"constant/transportProperties", "constant/turbulenceProperties", "0/U", "0/p_rgh"}) files[file] = "";
+    files["constant/grainProperties"] = grains + "fluid none;";
+    const ProgramCase c(files);
+    EXPECT_TRUE(succeeds(c.run()));
+    // Free fall of all grains: z falls by g dt^2 n(n+1)/2 in n steps of the symplectic Euler scheme.
+    const std::vector<double> z = c.reported("0", "massCenterZ");
+    ASSERT_EQ(z.size(), 10u);
+    EXPECT_NEAR(z[9] - z[0], -9.81e-6*(55 - 1), 1e-12);
+}
+
+TEST(Program, runsWithoutGrains)
+{
+    const ProgramCase c(Files{{"constant/grainProperties", "materials { glass { density 1; } } contacts {} grains {}"}});
+    EXPECT_TRUE(succeeds(c.run()));
+    EXPECT_EQ(c.reported("0", "grains").back(), 0);
+}
+
+TEST(Program, runsWithTheDragSwitchedOffAndSubCycles)
+{
+    const ProgramCase c(Files{{"constant/grainProperties", grains + "forces { drag { law none; } } timeStep { subCycles 3; }"}});
+    EXPECT_TRUE(succeeds(c.run()));
+}
+
+namespace
+{
+
+const std::string schemes =
+    "gradSchemes { default Gauss linear; } laplacianSchemes { default Gauss linear corrected; }"
+    "interpolationSchemes { default linear; } snGradSchemes { default corrected; }";
+const std::string divSchemes = "divSchemes { default Gauss linear; }";
+
+std::string solvers(const std::string& pressure, const std::string& velocity)
+{
+    const std::string rest = "preconditioner none; tolerance 1e-9; relTol 0; }";
+    return "solvers { " + pressure + " " + rest + velocity + " " + rest + " } PIMPLE { nCorrectors 2; }";
+}
+
+} // namespace
+
+TEST(Program, stopsAtSchemesThatAreMissingOrUnknown)
+{
+    const std::string file = "system/fvSchemes";
+    EXPECT_TRUE(isRefusedWith(file, "ddtSchemes {}" + divSchemes + schemes, {"fvSchemes", "ddt"}));
+    EXPECT_TRUE(isRefusedWith(file, "ddtSchemes { default Eulr; }" + divSchemes + schemes, {"fvSchemes", "Eulr", "Euler"}));
+    EXPECT_TRUE(isRefusedWith(file, "ddtSchemes { default steadyState; }" + divSchemes + schemes,
+        {"fvSchemes", "ddtSchemes", "steadyState", "no time step"}));
+    EXPECT_TRUE(isRefusedWith(file, "ddtSchemes { default Euler; } divSchemes {}" + schemes, {"fvSchemes", "div(phi,U)"}));
+}
+
+TEST(Program, stopsAtSolversThatAreMissingOrUnknown)
+{
+    const std::string file = "system/fvSolution";
+    const std::string velocity = "\"U.*\" { solver PBiCGStab;", pressure = "\"p_rgh.*\" { solver PCG;";
+    EXPECT_TRUE(isRefusedWith(file, solvers("p_rgh { solver PCG;", velocity), {"fvSolution", "p_rghFinal"}));
+    EXPECT_TRUE(isRefusedWith(file, solvers(pressure, "U { solver PBiCGStab;"), {"fvSolution", "UFinal"}));
+    EXPECT_TRUE(isRefusedWith(file, solvers("\"p_rgh.*\" { solver PCC;", velocity), {"fvSolution", "PCC", "nearest: PCG"}));
+    EXPECT_TRUE(isRefusedWith(file, solvers(pressure, "\"U.*\" { solver PCG;"), {"fvSolution", "PCG", "PBiCGStab"}));
+}
+
+TEST(Program, stopsAtWhatTheTurbulenceModelLacks)
+{
+    const auto field = [](const std::string& dimensions, const std::string& value)
+    {
+        return "dimensions " + dimensions + "; internalField uniform " + value
+            + "; boundaryField { \".*\" { type zeroGradient; } }";
+    };
+    Files files =
+    {
+        {"constant/turbulenceProperties", "simulationType LES; LES { LESModel kEqn; turbulence on; printCoeffs off;"
+            " delta cubeRootVol; cubeRootVolCoeffs { deltaCoeff 1; } }"},
+        {"0/nut", field("[0 2 -1 0 0 0 0]", "0")}
+    };
+    EXPECT_TRUE(isRefused(ProgramCase(files), {"0/k"}));
+    files["0/k"] = field("[0 2 -2 0 0 0 0]", "1e-4");
+    EXPECT_TRUE(isRefused(ProgramCase(files), {"fvSolution", "kFinal"}));
+    const std::string rest = "preconditioner none; tolerance 1e-9; relTol 0; }";
+    files["system/fvSolution"] =
+        "solvers { \"p_rgh.*\" { solver PCG; " + rest + "\"(U|k).*\" { solver PBiCGStab; " + rest + "} PIMPLE {}";
+    EXPECT_TRUE(succeeds(ProgramCase(files).run()));
+    files["system/fvSchemes"] =
+        "ddtSchemes { default Euler; } divSchemes { div(phi,U) Gauss upwind; div((nuEff*dev2(T(grad(U))))) Gauss linear; }"
+        + schemes;
+    EXPECT_TRUE(isRefused(ProgramCase(files), {"fvSchemes", "div(phi,k)"}));
+}
+
+TEST(Program, refusesToRunInParallel)
+{
+    EXPECT_TRUE(isRefused(ProgramCase(), {"one rank only"}, "-parallel"));
+    setEnv("OMPI_COMM_WORLD_SIZE", "2", true);
+    EXPECT_TRUE(isRefused(ProgramCase(), {"one rank only"}));
+    unsetenv("OMPI_COMM_WORLD_SIZE");
+}
+
+namespace
+{
+
+/// Files of one written time that two runs must share to the bit, grainState with its numbers among them.
+const std::vector<std::string> stateFiles =
+{
+    "lagrangian/grains/position", "lagrangian/grains/U", "lagrangian/grains/omega", "lagrangian/grains/orientation",
+    "lagrangian/grains/fContact", "lagrangian/grains/dragDebt", "lagrangian/contacts/impulse", "lagrangian/contacts/idB",
+    "uniform/grainState"
+};
+
+/// A run of 20 steps, and one of 10 and 10: the files of the last time that differ.
+std::vector<std::string> filesThatDiffer
+(
+    const std::string& properties, const std::string& control, const std::vector<std::string>& files
+)
+{
+    const Files start{{"constant/grainProperties", properties}};
+    const std::string common = "writeFormat binary; writeInterval 10; " + control;
+    const ProgramCase parts(start, common + " stopAt nextWrite; endTime 1;");
+    for (const ProgramRun& run : {parts.run(), parts.run()}) EXPECT_TRUE(succeeds(run));
+    const std::string last = parts.latestTime();
+    const ProgramCase whole(start, common + " endTime " + last + ";");
+    EXPECT_TRUE(succeeds(whole.run()));
+    EXPECT_EQ(whole.reported("0", "time").size(), 20u);
+    EXPECT_GT(whole.reported("0", "contacts").at(9), 0);
+    const std::vector<double> deltaT = whole.reported("0", "deltaT");
+    EXPECT_EQ(deltaT.at(9) != deltaT.at(10), control.find("adjustTimeStep") != std::string::npos);
+
+    std::vector<std::string> different;
+    for (const std::string& file : files)
+    {
+        const std::string contents = whole.contents(last + "/" + file);
+        if (contents.empty() || contents != parts.contents(last + "/" + file)) different.push_back(file);
+    }
+    return different;
+}
+
+const std::string restingGrains =
+    "materials { glass { density 2500; } } contacts { default { friction 0.3; restitution 0.4; } }"
+    "grains { type lattice; box (0 0 0) (0.1 0.1 0.06); count (5 5 3); diameter 0.0199; spread 0.003; jitter 0.8; "
+    "velocity (0.3 0.1 -0.5); }"
+    "patches { front { type wall; } back { type exit; } } ";
+
+} // namespace
+
+TEST(Program, aDryRunGoesOnFromAWrittenTimeAsIfNeverStopped)
+{
+    EXPECT_EQ(filesThatDiffer(restingGrains + "fluid none;", "", stateFiles), std::vector<std::string>());
+}
+
+TEST(Program, aCoupledRunGoesOnFromAWrittenTimeAsIfNeverStopped)
+{
+    std::vector<std::string> files = stateFiles;
+    for (const char* field : {"U", "p_rgh", "phi", "alpha.fluid"}) files.push_back(field);
+    EXPECT_EQ(filesThatDiffer(restingGrains, "", files), std::vector<std::string>());
+}
+
+TEST(Program, aRunWithAdjustedStepsGoesOnFromAWrittenTimeAsIfNeverStopped)
+{
+    const std::string control = "writePrecision 6; adjustTimeStep yes; maxCo 0.004;";
+    EXPECT_EQ(filesThatDiffer(restingGrains, control, stateFiles), std::vector<std::string>());
+}
+
+TEST(Program, anAsciiRestartGoesOnToTheWritePrecision)
+{
+    // A solve that stops by a coarse tolerance may stop a sweep earlier for the last digit of its start.
+    const std::string solver = "solver { tolerance 1e-9; displacementTolerance 1e-12; maxSweeps 100000; } fluid none;";
+    const Files start{{"constant/grainProperties", restingGrains + solver}};
+    const ProgramCase whole(start, "endTime 0.02;"), parts(start);
+    for (const ProgramRun& run : {whole.run(), parts.run()}) EXPECT_TRUE(succeeds(run));
+    parts.writeControl("endTime 0.02;");
+    EXPECT_TRUE(succeeds(parts.run()));
+    const double energy = whole.reported("0", "kineticEnergy").at(19);
+    EXPECT_GT(whole.reported("0", "contacts").at(9), 0);
+    // Twelve digits are written; shocks magnify what is lost.
+    EXPECT_NEAR(parts.reported("0.01", "kineticEnergy").at(9), energy, 1e-8*energy);
+}
+
+TEST(Program, goesOnWhenAllGrainsHaveLeft)
+{
+    for (const char* fluid : {"none", "solved"})
+    {
+        const ProgramCase c(Files
+        {
+            {"constant/grainProperties", restingGrains + "grains { velocity (0 0 30); } fluid " + fluid + ";"},
+            {"constant/transportProperties", "transportModel Newtonian; nu 1e-5; rho 1;"}
+        });
+        EXPECT_TRUE(succeeds(c.run()));
+        EXPECT_EQ(c.reported("0", "grains").front(), 75) << fluid;
+        EXPECT_EQ(c.reported("0", "grains").back(), 0) << fluid;
+        EXPECT_EQ(c.reported("0", "exited").back(), 75) << fluid;
+        c.writeControl("endTime 0.012;");
+        EXPECT_TRUE(succeeds(c.run()));
+        EXPECT_EQ(c.reported("0.01", "exited").back(), 75) << fluid;
+    }
+}
+
+TEST(Program, theCloudIsReadByOpenFOAMsOwnTools)
+{
+    const ProgramCase c(Files{{"constant/grainProperties", restingGrains}});
+    EXPECT_TRUE(succeeds(c.run()));
+    EXPECT_TRUE(succeeds(c.run("foamToVTK", "-latestTime -ascii")));
+    const std::string cloud = c.contents("VTK/lagrangian/grains/grains_10.vtp");
+    EXPECT_NE(cloud.find("NumberOfPoints='75'"), std::string::npos) << cloud.substr(0, 500);
+    for (const char* field : {"fContact", "fFluid", "omega", "'d'"}) EXPECT_NE(cloud.find(field), std::string::npos) << field;
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+// Grains that answer the fluid linearly in u and in grad p, against the same equations solved by hand.
+
+#include "fluidCase.H"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::nscdCoupling;
+using namespace Foam::nscdCoupling::testing;
+
+const scalar meanFlow = 0.05, rho = 1000;
+
+/// Uniform sources along x; see GrainSources.
+struct Response { scalar alpha, drag, acceleration, pressure, carried, slip, mobility; };
+
+const Response dense{0.4, 300, 2, 0.3, 0.01, 0.35, 5e-4}, dilute{0.9, 50, -0.5, 0.1, -0.005, 0.05, 2e-4};
+
+struct State { scalar u, gradient; };
+
+// Both equations of GrainSources for a uniform state, G over rho; start: velocity at the start of a step of deltaT.
+//   inertia (u - start) = -(alpha + X) G - D u + R,  inertia = alpha/deltaT
+//   (alpha + S) u + A - Y G = meanFlow
+State solved(const Response& r, const scalar inertia, const scalar start)
+{
+    const scalar a = inertia + r.drag, b = r.alpha + r.pressure, right = inertia*start + r.acceleration;
+    const scalar c = r.alpha + r.slip, d = -r.mobility, flow = meanFlow - r.carried;
+    const scalar determinant = a*d - b*c;
+    return {(right*d - b*flow)/determinant, rho*(a*flow - c*right)/determinant};
+}
+
+template<class Choice>
+void setSources(GrainSources& sources, const Choice& at)
+{
+    sources.hasResponse = true;
+    setCells(sources.alpha, [&](const point& x) { return at(x).alpha; });
+    setCells(sources.drag, [&](const point& x) { return at(x).drag; });
+    setCells(sources.acceleration, [&](const point& x) { return vector(at(x).acceleration, 0, 0); });
+    setCells(sources.pressure, [&](const point& x) { return at(x).pressure; });
+    setCells(sources.carried, [&](const point& x) { return vector(at(x).carried, 0, 0); });
+    setCells(sources.slip, [&](const point& x) { return at(x).slip; });
+    setCells(sources.mobility, [&](const point& x) { return at(x).mobility; });
+}
+
+FluidCaseSettings periodicTube(const label n)
+{
+    FluidCaseSettings settings = tubeCase(n, 1);
+    settings.box.patchTypes[0] = settings.box.patchTypes[1] = "cyclic";
+    settings.nu = 0;
+    settings.rho = rho;
+    settings.convection = "Gauss upwind";
+    settings.box.deltaT = 0.02;
+    settings.pimple = "nOuterCorrectors 1; nCorrectors 8; momentumPredictor yes; pRefCell 0; pRefValue 0;";
+    return settings;
+}
+
+void expectState(FluidCase& tube, const label celli, const State& state, const scalar tolerance)
+{
+    EXPECT_NEAR(tube.fluid().U()[celli].x()/state.u, 1, tolerance) << "u in cell " << celli;
+    EXPECT_NEAR(tube.fluid().balancedPressureGradient()[celli].x()/state.gradient, 1, tolerance) << "G in cell " << celli;
+}
+
+// Steps from rest: each is the backward-Euler step of the two equations.
+TEST(fluidResponse, uniformSuspensionFollowsItsTwoEquations)
+{
+    for (const Response& response : {dense, dilute})
+    {
+        FluidCase tube(periodicTube(4));
+        tube.setMeanFlow(vector(meanFlow, 0, 0));
+        setSources(tube.sources(), [&](const point&) { return response; });
+        State state{0, 0};
+        for (label i = 0; i < 5; ++i)
+        {
+            tube.step();
+            state = solved(response, response.alpha/0.02, state.u);
+            expectState(tube, 2, state, 1e-9);
+            EXPECT_NEAR(tube.fluid().meanFlowGradient().x()/state.gradient, 1, 1e-9);
+        }
+    }
+}
+
+// Layers in series carry one volume flux; away from their border each is in its own steady state.
+TEST(fluidResponse, layersShareTheFluxAndSplitTheGradient)
+{
+    FluidCase tube(periodicTube(40));
+    tube.setMeanFlow(vector(meanFlow, 0, 0));
+    setSources(tube.sources(), [](const point& x) { return x.x() < 0.5 ? dense : dilute; });
+    tube.steps(100);
+    expectState(tube, 10, solved(dense, 0, 0), 1e-6);
+    expectState(tube, 30, solved(dilute, 0, 0), 1e-6);
+}
+
+} // End anonymous namespace

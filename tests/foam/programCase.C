@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Writing the whole case and running programs on it.
+#include "programCase.H"
+
+#include "OSspecific.H"
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+namespace testing
+{
+
+namespace
+{
+
+BoxMeshSettings boxWithInletAndOutlet()
+{
+    BoxMeshSettings settings;
+    settings.cells = labelVector(4, 4, 8);
+    settings.max = point(0.1, 0.1, 0.2);
+    settings.patchTypes = {"wall", "wall", "wall", "wall", "patch", "patch"};
+    return settings;
+}
+
+Files defaultFiles()
+{
+    return
+    {
+        {"constant/grainProperties",
+            "materials { glass { density 2500; } }\n"
+            "contacts { default { friction 0.3; } }\n"
+            "grains { type lattice; box (0.02 0.02 0.02) (0.08 0.08 0.06); count (3 3 2); diameter 0.01; }\n"
+            "patches { front { type wall; } back { type exit; } }\n"},
+        {"constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);"},
+        {"constant/transportProperties", "transportModel Newtonian; nu 1e-4; rho 1000;"},
+        {"constant/turbulenceProperties", "simulationType laminar;"},
+        {"0/U",
+            "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { "
+            "\"(left|right|bottom|top)\" { type noSlip; } front { type fixedValue; value uniform (0 0 0); } "
+            "back { type inletOutlet; inletValue uniform (0 0 0); value uniform (0 0 0); } }"},
+        {"0/p_rgh",
+            "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { "
+            "\"(left|right|bottom|top|front)\" { type fixedFluxPressure; value uniform 0; } "
+            "back { type fixedValue; value uniform 0; } }"},
+        {"system/fvSchemes",
+            "ddtSchemes { default Euler; } gradSchemes { default Gauss linear; }"
+            "divSchemes { default Gauss linear; div(phi,U) Gauss upwind; }"
+            "laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default linear; }"
+            "snGradSchemes { default corrected; }"},
+        {"system/fvSolution",
+            "solvers { \"p_rgh.*\" { solver PCG; preconditioner DIC; tolerance 1e-10; relTol 0; }"
+            "\"U.*\" { solver PBiCGStab; preconditioner DILU; tolerance 1e-10; relTol 0; } }"
+            "PIMPLE { nCorrectors 2; }"}
+    };
+}
+
+} // namespace
+
+ProgramCase::ProgramCase(const Files& files, const std::string& control)
+:
+    box_(boxWithInletAndOutlet())
+{
+    Files all = defaultFiles();
+    for (const auto& file : files) all[file.first] = file.second;
+    for (const auto& file : all)
+    {
+        if (file.second.empty()) rm(path(file.first));
+        else write(file.first, file.second);
+    }
+    writeControl(control);
+    box_.mesh().setInstance("constant");
+    box_.mesh().write();
+}
+
+void ProgramCase::writeControl(const std::string& more) const
+{
+    write
+    (
+        "system/controlDict",
+        "application nscdDEMFoam; startFrom latestTime; startTime 0; stopAt endTime; endTime 0.01; deltaT 1e-3;"
+        "writeControl timeStep; writeInterval 10; writeFormat ascii; writePrecision 12; timePrecision 10; " + more
+    );
+}
+
+ProgramRun ProgramCase::run(const std::string& program, const std::string& arguments) const
+{
+    const fileName own = fileName(Foam::getEnv("FOAM_USER_APPBIN"))/program;
+    const fileName log = path("log." + program);
+    const std::string command = (isFile(own) ? std::string(own) : program)
+        + " -case " + box_.casePath() + " " + arguments + " > " + log + " 2>&1 < /dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents("log." + program)};
+}
+
+std::string ProgramCase::contents(const fileName& file) const
+{
+    std::ifstream is(path(file));
+    return std::string((std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>());
+}
+
+std::string ProgramCase::latestTime() const
+{
+    return Time::findTimes(box_.casePath()).last().name();
+}
+
+std::vector<double> ProgramCase::reported(const std::string& startTime, const std::string& column) const
+{
+    std::istringstream is(contents("postProcessing/grains/" + startTime + "/report.csv"));
+    std::vector<double> values;
+    long wanted = -1;
+    for (std::string line; std::getline(is, line);)
+    {
+        if (line.empty() || line[0] == '#') continue;
+        std::vector<std::string> cells;
+        std::istringstream cellsOfLine(line);
+        for (std::string cell; std::getline(cellsOfLine, cell, ',');) cells.push_back(cell);
+        if (wanted < 0) wanted = std::find(cells.begin(), cells.end(), column) - cells.begin();
+        else values.push_back(std::stod(cells.at(wanted)));
+    }
+    return values;
+}
+
+} // namespace testing
+} // namespace nscdCoupling
+} // namespace Foam

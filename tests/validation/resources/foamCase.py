@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+"""Small nscdDEMFoam cases in a box, written, run and read back by validation programs."""
+
+import csv
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+SCHEMES = """
+ddtSchemes           { default Euler; }
+gradSchemes          { default Gauss linear; }
+divSchemes           { default Gauss linear; div(phi,U) Gauss linearUpwindV grad(U); }
+laplacianSchemes     { default Gauss linear corrected; }
+interpolationSchemes { default linear; }
+snGradSchemes        { default corrected; }
+"""
+
+SOLUTION = """
+solvers
+{
+    "p_rgh.*|meanFlowPotential.*" { solver PCG; preconditioner DIC; tolerance %g; relTol 0; }
+    "U.*" { solver PBiCGStab; preconditioner DILU; tolerance %g; relTol 0; }
+}
+PIMPLE { nOuterCorrectors 1; nCorrectors 3; pRefCell 0; pRefValue 0; }
+"""
+
+FACES = {"xMin": "(0 4 7 3)", "xMax": "(1 2 6 5)", "yMin": "(0 1 5 4)", "yMax": "(3 7 6 2)", "zMin": "(0 3 2 1)", "zMax": "(4 5 6 7)"}
+OPPOSITE = {"xMin": "xMax", "xMax": "xMin", "yMin": "yMax", "yMax": "yMin", "zMin": "zMax", "zMax": "zMin"}
+
+
+def vec(values):
+    return "(%.17g %.17g %.17g)" % tuple(values)
+
+
+class BoxCase:
+    """A box of cells; `patches` gives each side's type: cyclic, wall, patch, symmetry or empty (default: cyclic)."""
+
+    def __init__(self, folder, lower, upper, cells, patches=None, grading=(1, 1, 1)):
+        self.folder = os.path.abspath(folder)
+        shutil.rmtree(self.folder, ignore_errors=True)
+        for part in ("0", "constant", "system"):
+            os.makedirs(os.path.join(self.folder, part))
+        self.lower, self.upper, self.cells, self.grading = lower, upper, cells, grading
+        self.types = {side: "cyclic" for side in FACES}
+        self.types.update(patches or {})
+        self.write("system/fvSchemes", SCHEMES)
+        self.write("system/fvSolution", SOLUTION % (1e-13, 1e-14))
+        self.write("constant/turbulenceProperties", "simulationType laminar;")
+        self.writeMesh()
+
+    def write(self, path, body, foamClass="dictionary"):
+        name = os.path.basename(path)
+        head = "FoamFile { version 2.0; format ascii; class %s; object %s; }\n" % (foamClass, name)
+        with open(os.path.join(self.folder, path), "w") as file:
+            file.write(head + body + "\n")
+
+    def writeMesh(self):
+        lo, up = self.lower, self.upper
+        corners = [(lo[0], lo[1]), (up[0], lo[1]), (up[0], up[1]), (lo[0], up[1])]
+        vertices = " ".join(vec((x, y, z)) for z in (lo[2], up[2]) for x, y in corners)
+        sides = ""
+        for side, faces in FACES.items():
+            neighbor = "neighbourPatch %s; " % OPPOSITE[side] if self.types[side] == "cyclic" else ""
+            sides += "%s { type %s; %sfaces (%s); }\n" % (side, self.types[side], neighbor, faces)
+        self.write("system/blockMeshDict", "vertices (%s);\nblocks (hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (%g %g %g));\n"
+                   "boundary\n(\n%s);" % ((vertices,) + tuple(self.cells) + tuple(self.grading) + (sides,)))
+
+    def fluid(self, rho, mu, gravity=(0, 0, -9.81), U=(0, 0, 0), sides=None, pressureSides=None):
+        """Fields; `sides` and `pressureSides` give a boundary entry by side for U and p_rgh where the default is not meant."""
+        self.write("constant/transportProperties", "transportModel Newtonian; nu %.17g; rho %.17g;" % (mu/rho, rho))
+        self.gravity(gravity)
+        velocity = {"cyclic": "type cyclic;", "empty": "type empty;", "symmetry": "type symmetry;", "wall": "type noSlip;",
+                    "patch": "type zeroGradient;"}
+        pressure = {"cyclic": "type cyclic;", "empty": "type empty;", "symmetry": "type symmetry;",
+                    "wall": "type fixedFluxPressure; value uniform 0;", "patch": "type fixedValue; value uniform 0;"}
+        self.field("U", "volVectorField", "[0 1 -1 0 0 0 0]", vec(U), velocity, sides or {})
+        self.field("p_rgh", "volScalarField", "[1 -1 -2 0 0 0 0]", "0", pressure, pressureSides or {})
+
+    def gravity(self, g):
+        self.write("constant/g", "dimensions [0 1 -2 0 0 0 0]; value %s;" % vec(g), "uniformDimensionedVectorField")
+
+    def field(self, name, foamClass, dimensions, value, byType, bySide):
+        entries = "".join("%s { %s }\n" % (side, bySide.get(side, byType[self.types[side]])) for side in FACES)
+        self.write("0/" + name, "dimensions %s;\ninternalField uniform %s;\nboundaryField\n{\n%s}" % (dimensions, value, entries), foamClass)
+
+    def grains(self, text):
+        self.write("constant/grainProperties", text)
+
+    def table(self, rows, name="grains.dat"):
+        """Positions and diameters, one grain a row."""
+        with open(os.path.join(self.folder, "constant", name), "w") as file:
+            for row in rows:
+                file.write(" ".join("%.17g" % value for value in row) + "\n")
+
+    def control(self, deltaT, endTime, writeInterval=None, extra="", startFrom="latestTime"):
+        self.write("system/controlDict", "application nscdDEMFoam; startFrom %s; startTime 0; stopAt endTime; endTime %.17g; "
+                   "deltaT %.17g; writeControl adjustableRunTime; writeInterval %.17g; writeFormat ascii; writePrecision 17; "
+                   "timePrecision 12;\n%s" % (startFrom, endTime, deltaT, writeInterval or endTime, extra))
+
+    def run(self, program="nscdDEMFoam", mesh=True):
+        if mesh and not os.path.exists(os.path.join(self.folder, "constant/polyMesh/faces")):
+            self.call("blockMesh")
+        self.call(program)
+        return self
+
+    def call(self, program):
+        log = os.path.join(self.folder, "log." + program)
+        with open(log, "w") as file:
+            status = subprocess.call([program], cwd=self.folder, stdout=file, stderr=subprocess.STDOUT,
+                                     env=dict(os.environ, PWD=self.folder))
+        if status != 0:
+            with open(log) as file:
+                sys.stdout.write("".join(file.readlines()[-25:]))
+            sys.exit("%s failed in %s" % (program, self.folder))
+
+    def report(self, start="0"):
+        """Columns of report.csv as lists of floats."""
+        with open(os.path.join(self.folder, "postProcessing/grains", start, "report.csv")) as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        return {key: [float(row[key]) for row in rows] for key in rows[0]}
+
+    def times(self):
+        return sorted((name for name in os.listdir(self.folder) if re.fullmatch(r"[0-9.e+-]+", name)), key=float)
+
+    def cloud(self, name, time=None):
+        """A field of lagrangian/grains at a written time (the last one): list of floats or of triples."""
+        return readList(os.path.join(self.folder, time or self.times()[-1], "lagrangian/grains", name))
+
+    def cells_(self, name, time=None):
+        """Internal values of a field at a written time (the last one)."""
+        return readList(os.path.join(self.folder, time or self.times()[-1], name))
+
+    def remove(self):
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def readList(path):
+    with open(path) as file:
+        text = file.read()
+    text = text[text.index("}") + 1:]
+    uniform = re.search(r"internalField\s+uniform\s+(\([^)]*\)|\S+);", text)
+    if uniform:
+        return values("(" + uniform.group(1) + ")")
+    start = re.search(r"(?:^|\s)(\d+)\s*([({])", text)
+    if not start:
+        return []
+    count = int(start.group(1))
+    if start.group(2) == "{":
+        return count*values("(" + text[start.end():text.index("}", start.end())] + ")")
+    body = text[start.end():]
+    if body.lstrip().startswith("("):
+        triples = re.finditer(r"\(([^()]*)\)", body)
+        return [tuple(float(number) for number in next(triples).group(1).split()) for _ in range(count)]
+    return values("(" + body[:body.index(")")] + ")")
+
+
+def values(text):
+    """Numbers or triples between the outer parentheses."""
+    inner = text.strip()[1:-1].strip()
+    if not inner.startswith("("):
+        return [float(number) for number in inner.split()]
+    return [tuple(float(number) for number in part.split()) for part in re.findall(r"\(([^()]*)\)", inner)]
+
+
+class Verdict:
+    """Figures with their tolerances; ends the program with status 1 when one is out."""
+
+    def __init__(self):
+        self.failed = 0
+        self.count = 0
+
+    def near(self, what, value, reference, tolerance, relative=True):
+        scale = abs(reference) if relative else 1.0
+        self.below(what, abs(value - reference)/scale, tolerance, "%.8g for %.8g" % (value, reference))
+
+    def below(self, what, error, tolerance, detail=""):
+        good = error <= tolerance
+        self.count += 1
+        self.failed += not good
+        print("%-4s %-58s %.3g <= %.3g  %s" % ("ok" if good else "BAD", what, error, tolerance, detail))
+
+    def finish(self):
+        print("%d of %d within tolerance" % (self.count - self.failed, self.count))
+        sys.exit(1 if self.failed or not self.count else 0)
