@@ -161,6 +161,16 @@ GrainSize discSize(double diameter, double thickness)
     return {diameter, diameter*thickness, pi*diameter*diameter*thickness/4};
 }
 
+double sphereSpinDrag(double diameter, double viscosity)
+{
+    return pi*viscosity*diameter*diameter*diameter;
+}
+
+double discSpinDrag(double diameter, double thickness, double viscosity)
+{
+    return pi*viscosity*diameter*diameter*thickness;
+}
+
 const std::vector<DragLawRow>& dragLaws()
 {
     return table;

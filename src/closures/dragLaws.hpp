@@ -22,6 +22,12 @@ GrainSize sphereSize(double diameter);
 /// A disc is a cylinder across the flow, of length `thickness` along the empty direction of a 2D case.
 GrainSize discSize(double diameter, double thickness);
 
+/// Coefficient C [N m s] of the viscous torque C (curl u/2 - omega) on a grain alone at small Reynolds number.
+/// Equation: pi mu d^3 for a sphere (Kirchhoff 1876; Lamb 1932, art. 334)
+double sphereSpinDrag(double diameter, double viscosity);
+/// Equation: pi mu d^2 t for a disc, which is a cylinder of length t (Lamb 1932, art. 333)
+double discSpinDrag(double diameter, double thickness, double viscosity);
+
 /// What the drag on one grain depends on.
 struct DragState
 {

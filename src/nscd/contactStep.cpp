@@ -54,7 +54,8 @@ bool setLaws(ContactList& list, std::size_t k, double deltaT, double deadBand)
         const double wn = a.invMass + b.invMass;
         block.invWn[lane] = 1.0/wn;
         block.invWt[lane] = 1.0/(wn + a.invSpin + b.invSpin);
-        block.bias[lane] = std::min(unreachable, std::max(0.0, list.gap[slot] - deadBand)/deltaT);
+        // A gap beyond the band may close to nothing, not to the band's edge: there, noise would open the contact again.
+        block.bias[lane] = list.gap[slot] > deadBand ? std::min(unreachable, list.gap[slot]/deltaT) : 0.0;
         double un = 0.0;
         for (int axis = 0; axis < 3; ++axis) un += (a.v[axis] - b.v[axis])*block.n[axis][lane];
         isAwake = isAwake || block.bias[lane] == 0.0 || un + block.bias[lane] < 0.0 || impulse(list, slot) != Vec3::Zero();
@@ -93,13 +94,15 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
         const double effectiveMass = forces.implicitDrag.empty() ? mass : mass + forces.implicitDrag[i]*deltaT;
         Vec3 momentum = mass*grains.velocity[i];
         if (!forces.force.empty()) momentum += deltaT*forces.force[i];
-        Vec3 s = spin;
-        if (!forces.torque.empty()) s += deltaT*forces.torque[i]/(kappa*mass*grains.radius[i]);
+        const double spinDrag = forces.implicitSpinDrag.empty() ? 0.0 : forces.implicitSpinDrag[i];
+        const double effectiveInertia = kappa*mass + spinDrag*deltaT/(grains.radius[i]*grains.radius[i]);
+        Vec3 s = kappa*mass/effectiveInertia*spin;
+        if (!forces.torque.empty()) s += deltaT*forces.torque[i]/(effectiveInertia*grains.radius[i]);
         if (!momentum.allFinite() || !s.allFinite() || !(effectiveMass > 0.0))
         {
             throw invalidValue("force on grain " + std::to_string(grains.id[i]), "not finite", "finite forces and drag >= 0");
         }
-        setBody(list.bodies[body], momentum/effectiveMass, 1.0/effectiveMass, s, 1.0/(kappa*mass));
+        setBody(list.bodies[body], momentum/effectiveMass, 1.0/effectiveMass, s, 1.0/effectiveInertia);
     }
     setBody(list.bodies.back(), Vec3::Zero(), 0.0, Vec3::Zero(), 0.0);
 }

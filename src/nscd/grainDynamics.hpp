@@ -26,6 +26,8 @@ struct ExternalForces
     std::vector<Vec3> torque;
     /// Coefficient gamma [kg/s] of a drag -gamma v that is implicit in the grain's own new velocity.
     std::vector<double> implicitDrag;
+    /// Coefficient C [N m s] of a torque -C omega that is implicit in the grain's own new spin.
+    std::vector<double> implicitSpinDrag;
     /// Largest rms over the grains of dt f/(m + gamma dt) among the forces taken one by one [m/s]; scales the stop rule.
     double speedScale = 0.0;
 };

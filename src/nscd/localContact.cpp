@@ -52,7 +52,8 @@ LocalChange localChange(const ContactProblem& problem, std::size_t slot)
         change.impulse[k] = (pn - rn)*n[k] + t;
         tangential2 += t*t;
     }
-    change.defect = std::hypot((pn - rn)/block.invWn[lane], std::sqrt(tangential2)/block.invWt[lane]);
+    const double normal = (pn - rn)/block.invWn[lane];
+    change.defect = std::sqrt(normal*normal + tangential2/(block.invWt[lane]*block.invWt[lane]));
     return change;
 }
 

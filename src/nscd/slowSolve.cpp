@@ -25,7 +25,7 @@ constexpr double growthAllowed = 4.0;
 /// All is well but for a few contacts: rms below this many times its limit, the largest above its own.
 constexpr double nearlyMet = 2.0;
 /// Sweeps in which mixing must bring the sum of squared defects below this share, else it pauses: high friction can trap it.
-constexpr double leastProgress = 0.64;
+constexpr double leastProgress = 0.9;
 constexpr int probation = 60;
 constexpr int sweepsBetweenQueues = 10;
 constexpr std::size_t sweepsPerQueue = 20;

@@ -7,7 +7,6 @@
 #include "case/grainScene.H"
 #include "case/initialChecks.H"
 #include "case/materialsReader.H"
-#include "case/overlaps.H"
 
 #include "OFstream.H"
 #include "OSspecific.H"
@@ -15,7 +14,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <random>
 
 using namespace Foam;
 using namespace Foam::nscdCoupling;
@@ -258,6 +256,17 @@ TEST(BadStart, motionOutOfThePlaneOfA2DCase)
     EXPECT_TRUE(holds(c.complaintAbout("shape sphere;" + start + lattice + "} }", vector(0, -9.81, 0)), {"shape", "2D", "disc"}));
 }
 
+TEST(BadStart, aMeanFlowNeedsCyclicPatches)
+{
+    BoxMeshSettings settings;
+    settings.patchTypes = {"cyclic", "cyclic", "wall", "wall", "wall", "wall"};
+    Case c(settings);
+    const std::string grains = start + "grains {}\n";
+    EXPECT_EQ(c.complaintAbout(grains + "meanFlow (0.1 0 0);"), "");
+    EXPECT_TRUE(holds(c.complaintAbout(grains + "meanFlow (0.1 0 0.2);"),
+        {"meanFlow", "(0.1 0 0.2)", "cyclic", "component z", "constant/grainProperties line 6"}));
+}
+
 TEST(BadStart, timeStepMustBePositive)
 {
     BoxMeshSettings settings;
@@ -274,38 +283,4 @@ TEST(BadStart, gravityHasDimensions)
     EXPECT_EQ(readGravity(box.time()), vector(0, 0, -9.81));
     box.writeFile("constant/g", "dimensions [0 1 -1 0 0 0 0]; value (0 0 -9.81);");
     EXPECT_TRUE(holds(complaint([&] { readGravity(box.time()); }), {"wrong dimensions", "[0 1 -2 0 0 0 0]"}));
-}
-
-TEST(Overlaps, agreeWithTheSumOverAllPairs)
-{
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> uniform(0, 1);
-    nscd::Grains grains;
-    for (int i = 0; i < 2000; ++i)
-    {
-        const double radius = 0.005*std::pow(10, uniform(random));
-        grains.add(Vec3(uniform(random), uniform(random), 2*uniform(random)), radius, 1, 0, i);
-    }
-    nscd::PeriodicBox box;
-    box.length = Vec3(1, 0, 2);
-    nscd::Walls walls;
-    const int patch = walls.addPatch("square", 0);
-    walls.addPolygon(patch, {Vec3(0.2, 0.2, 1), Vec3(0.8, 0.2, 1), Vec3(0.8, 0.9, 1.2), Vec3(0.2, 0.9, 1.2)});
-
-    std::size_t pairs = 0, atWall = 0;
-    for (std::size_t i = 0; i < grains.size(); ++i)
-    {
-        for (std::size_t j = i + 1; j < grains.size(); ++j)
-        {
-            const double distance = box.nearestImage(grains.position[i] - grains.position[j]).norm();
-            const double share = (grains.radius[i] + grains.radius[j] - distance)/(2*std::min(grains.radius[i], grains.radius[j]));
-            pairs += share > 0.02;
-        }
-        const double distance = nscd::nearestPoint(walls.regions[0], grains.position[i]).distance;
-        atWall += distance >= 0 && (grains.radius[i] - distance)/(2*grains.radius[i]) > 0.02;
-    }
-    ASSERT_GT(pairs, 20u);
-    ASSERT_GT(atWall, 5u);
-    EXPECT_EQ(grainOverlaps(grains, box, 0.02).size(), pairs);
-    EXPECT_EQ(wallOverlaps(grains, walls, 0.02).size(), atWall);
 }

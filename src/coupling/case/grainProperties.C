@@ -154,6 +154,7 @@ ForceSettings readForces(const CheckedDict& top)
     drag.finish();
     settings.pressureGradient = given.flag("pressureGradient", settings.pressureGradient);
     settings.viscous = given.flag("viscous", settings.viscous);
+    settings.spinDrag = given.flag("spinDrag", settings.spinDrag);
     given.finish();
     return settings;
 }
@@ -177,6 +178,7 @@ void readCoupling(const CheckedDict& top, GrainProperties& properties)
     properties.solvesFluid = top.choice("fluid", {"solved", "none"}, "solved") == "solved";
     properties.hasFeedback = top.flag("feedback", properties.hasFeedback);
     properties.holdsMeanFlow = top.found("meanFlow");
+    properties.meanFlowPlace = top.place("meanFlow");
     properties.meanFlow = top.vec("meanFlow", dimVelocity, Zero);
     properties.voidFraction = readVoidFraction(top);
     properties.forces = readForces(top);

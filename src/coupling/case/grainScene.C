@@ -61,6 +61,7 @@ GrainScene makeGrainScene(const GrainProperties& properties, const polyMesh& mes
     scene.roles = assignPatchRoles(properties, mesh);
     scene.walls = makeMeshWalls(properties, scene.roles, mesh);
     scene.box = periodicBox(mesh);
+    checkMeanFlow(properties, scene.box);
     return scene;
 }
 

@@ -82,6 +82,20 @@ void checkGravity(const vector& gravity, const GrainSpace& space, const Time& ti
 }
 
 
+void checkMeanFlow(const GrainProperties& properties, const nscd::PeriodicBox& box)
+{
+    for (int k = 0; k < 3; ++k)
+    {
+        if (properties.meanFlow[k] == 0 || box.isPeriodic(k)) continue;
+        fail
+        ({
+            properties.meanFlowPlace, "asks for a flow along a direction without cyclic patches",
+            messageText(properties.meanFlow), messageText("0 for component ", word(vector::componentNames[k]))
+        });
+    }
+}
+
+
 void checkPeriods(const nscd::PeriodicBox& box, const nscd::Grains& grains, const polyMesh& mesh)
 {
     if (grains.size() == 0) return;

@@ -67,11 +67,23 @@ void checkTimeScheme(const fvMesh& mesh, const word& name)
     fv::ddtScheme<vector>::New(mesh, mesh.ddtScheme(name));
 }
 
+/// The quantities that the turbulence model of this run transports, among those that OpenFOAM's models know.
+wordList turbulenceFields(const fvMesh& mesh)
+{
+    wordList names;
+    for (const word name : {"k", "epsilon", "omega", "nuTilda", "R"})
+    {
+        if (mesh.objectRegistry::found(name)) names.append(name);
+    }
+    return names;
+}
+
 void checkSchemes(const fvMesh& mesh, const surfaceScalarField& phi, bool isAveraged)
 {
     checkTimeScheme(mesh, isAveraged ? "ddt(alpha.fluid,U)" : "ddt(U)");
     fv::convectionScheme<vector>::New(mesh, phi, mesh.divScheme("div(phi,U)"));
     fv::divScheme<tensor>::New(mesh, mesh.divScheme("div((nuEff*dev2(T(grad(U)))))"));
+    for (const word& name : turbulenceFields(mesh)) mesh.divScheme("div(phi," + name + ")");
     fv::gradScheme<vector>::New(mesh, mesh.gradScheme("grad(U)"));
     fv::laplacianScheme<vector, scalar>::New(mesh, mesh.laplacianScheme("laplacian(nuEff,U)"));
     fv::laplacianScheme<scalar, scalar>::New(mesh, mesh.laplacianScheme("laplacian(rAU,p_rgh)"));
@@ -97,11 +109,14 @@ void checkSolvers(const fvMesh& mesh)
     const auto& symmetric = *lduMatrix::solver::symMatrixConstructorTablePtr_;
     checkSolver(mesh, "p_rghFinal", symmetric);
     if (outer*inner > 1) checkSolver(mesh, "p_rgh", symmetric);
-    if (!pimple.getOrDefault("momentumPredictor", true)) return;
 
-    const auto& asymmetric = *lduMatrix::solver::asymMatrixConstructorTablePtr_;
-    checkSolver(mesh, "UFinal", asymmetric);
-    if (outer > 1) checkSolver(mesh, "U", asymmetric);
+    wordList transported = turbulenceFields(mesh);
+    if (pimple.getOrDefault("momentumPredictor", true)) transported.append("U");
+    for (const word& name : transported)
+    {
+        checkSolver(mesh, name + "Final", *lduMatrix::solver::asymMatrixConstructorTablePtr_);
+        if (outer > 1) checkSolver(mesh, name, *lduMatrix::solver::asymMatrixConstructorTablePtr_);
+    }
 }
 
 } // namespace

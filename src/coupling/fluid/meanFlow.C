@@ -55,6 +55,15 @@ vector readTarget(const dictionary& dict, const labelList& axes)
 } // End anonymous namespace
 
 
+bool MeanFlowGradient::writeData(Ostream& os) const
+{
+    const int precision = os.precision(17);
+    const bool isWritten = UniformDimensionedField<vector>::writeData(os);
+    os.precision(precision);
+    return isWritten;
+}
+
+
 MeanFlow::MeanFlow(const fvMesh& mesh, const dictionary& dict)
 :
     mesh_(mesh),
@@ -80,7 +89,7 @@ MeanFlow::MeanFlow(const fvMesh& mesh, const dictionary& dict)
             i,
             new volScalarField
             (
-                IOobject(name, mesh.time().timeName(), mesh),
+                IOobject(name, mesh.time().timeName(), mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
                 mesh,
                 dimensionedScalar(dimLength, Zero),
                 zeroGradientFvPatchScalarField::typeName

@@ -37,10 +37,11 @@ bool areAllFixed(const ::nscd::Grains& grains)
     return true;
 }
 
-ActiveForces activeForces(const ForceSettings& forces, bool hasFluid)
+ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool hasFriction)
 {
-    if (!hasFluid) return {false, false, false};
-    return {forces.dragLaw != "none", forces.pressureGradient, forces.viscous};
+    if (!hasFluid) return {false, false, false, false};
+    const bool hasDrag = forces.dragLaw != "none";
+    return {hasDrag, forces.pressureGradient, forces.viscous, hasDrag && hasFriction && forces.spinDrag};
 }
 
 } // namespace
@@ -58,7 +59,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     properties_(readGrainProperties(time)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
-    active_(activeForces(properties_.forces, properties_.solvesFluid)),
+    active_(activeForces(properties_.forces, properties_.solvesFluid, properties_.materials.table.anyFriction())),
     log_(time, Info, properties_.solvesFluid)
 {
     startGrains();
@@ -120,7 +121,8 @@ DragModel CoupledRun::dragModel() const
     {
         closures::findDragLaw(properties_.forces.dragLaw).law,
         closures::findDragWeighting(properties_.forces.dragWeight),
-        immersion_->fluid->rho().value()
+        immersion_->fluid->rho().value(),
+        active_.spinDrag
     };
 }
 

@@ -41,6 +41,13 @@ scalar dragCoefficient
     return closures::gammaAtMidSlip(model.law, state, step, grains.velocity[i], model.weighting);
 }
 
+scalar spinDrag(const ::nscd::Grains& grains, std::size_t i, scalar viscosity)
+{
+    return grains.shape.dimensions == 2
+        ? closures::discSpinDrag(2*grains.radius[i], grains.shape.thickness, viscosity)
+        : closures::sphereSpinDrag(2*grains.radius[i], viscosity);
+}
+
 void setSplit
 (
     LinearDrag& drag, std::size_t i, scalar gamma, scalar mass, closures::DragWeighting weighting, scalar deltaT
@@ -87,6 +94,9 @@ LinearDrag linearizeDrag
         setSplit(drag, i, gamma, grains.mass[i], model.weighting, deltaT);
         if (!grains.isFixed[i]) drag.largestStiffness = std::max(drag.largestStiffness, gamma*deltaT/grains.mass[i]);
     }
+    if (!model.hasSpinDrag) return drag;
+    drag.spin.resize(grains.size());
+    for (std::size_t i = 0; i < grains.size(); ++i) drag.spin[i] = spinDrag(grains, i, at.viscosity[i]);
     return drag;
 }
 
@@ -102,6 +112,9 @@ LinearDrag linearizeDrag
     {
         external.force[i] += drag.implicit[i]*at.velocity[i] + drag.remainder[i]*(at.velocity[i] - grains.velocity[i]);
     }
+    external.implicitSpinDrag = drag.spin;
+    external.torque.resize(drag.spin.size());
+    for (std::size_t i = 0; i < drag.spin.size(); ++i) external.torque[i] = drag.spin[i]*at.spin[i];
     return external;
 }
 
@@ -114,8 +127,8 @@ TrialPush makeTrialPush
     TrialPush push{external, std::vector<Vec3>(grains.size(), Vec3::Zero()), pushShare*external.speedScale};
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        const Vec3 slip = at.velocity[i] - grains.velocity[i];
-        push.direction[i] = slip.norm() > 0 ? slip.normalized() : Vec3(-force[i].normalized());
+        const scalar gamma = drag.implicit[i] + drag.remainder[i];
+        push.direction[i] = (gamma*(at.velocity[i] - grains.velocity[i]) - force[i]).normalized();
         push.external.force[i] += push.speed/deltaT*grains.mass[i]/drag.velocityFactor[i]*push.direction[i];
     }
     return push;

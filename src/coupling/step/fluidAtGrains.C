@@ -4,6 +4,8 @@
 // Sampling of the fluid at the grains.
 #include "step/fluidAtGrains.H"
 
+#include "fvcCurl.H"
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -19,7 +21,7 @@ void sampleFluid
     std::vector<ScalarSample> scalars;
     std::vector<VectorSample> vectors;
     tmp<volScalarField> nu;
-    tmp<volVectorField> divTau;
+    tmp<volVectorField> divTau, spin;
 
     vectors.push_back({fluid.U().primitiveField(), at.velocity});
     if (active.drag)
@@ -33,6 +35,11 @@ void sampleFluid
     {
         divTau = fluid.divTau();
         vectors.push_back({divTau().primitiveField(), at.divTau});
+    }
+    if (active.spinDrag)
+    {
+        spin = 0.5*fvc::curl(fluid.U());
+        vectors.push_back({spin().primitiveField(), at.spin});
     }
     mapping.sample(scalars, vectors);
 

@@ -79,7 +79,7 @@ private:
         if (!(wn > 0.0)) return;
         const auto found = impulses_.find(key);
         const Vec3 r = found == impulses_.end() ? Vec3(Vec3::Zero()) : found->second;
-        const double bias = std::max(0.0, gap - deadBand_)/deltaT_;
+        const double bias = gap > deadBand_ ? gap/deltaT_ : 0.0;
         const double rn = r.dot(n);
         const Vec3 rt = r - rn*n;
         const double normalDefect = wn*std::abs(rn - std::max(0.0, rn - (u.dot(n) + bias)/wn));
