@@ -210,6 +210,7 @@ void CoupledRun::depositGrains()
     if (immersion_->mapping.report().outsideMesh.empty()) return;
     removeExited(immersion_->mapping.cells());
     updateWeights();
+    if (!hasGrains()) immersion_->sources.clear();
 }
 
 void CoupledRun::updateWeights()
