@@ -129,7 +129,7 @@ class BoxCase:
         """A field of lagrangian/grains at a written time (the last one): list of floats or of triples."""
         return readList(os.path.join(self.folder, time or self.times()[-1], "lagrangian/grains", name))
 
-    def cells_(self, name, time=None):
+    def fieldValues(self, name, time=None):
         """Internal values of a field at a written time (the last one)."""
         return readList(os.path.join(self.folder, time or self.times()[-1], name))
 
