@@ -5,7 +5,7 @@
 #include "contactList.hpp"
 
 #include "contactBatching.hpp"
-#include "invalidValue.hpp"
+#include "mortonOrder.hpp"
 #include "pairSearch.hpp"
 #include "wallSearch.hpp"
 

@@ -8,34 +8,20 @@
 #include "contactSolver.hpp"
 #include "contactStep.hpp"
 #include "invalidValue.hpp"
+#include "stopwatch.hpp"
+#include "storedImpulses.hpp"
 #include "sweepKernels.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
-#include <unordered_map>
 
 namespace nscd
 {
 
 namespace
 {
-
-/// Adds the seconds of its own life to a counter.
-class Stopwatch
-{
-public:
-    explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Clock::now()) {}
-    ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-    Stopwatch(const Stopwatch&) = delete;
-
-private:
-    using Clock = std::chrono::steady_clock;
-    double& seconds_;
-    Clock::time_point start_;
-};
 
 /// Steps of unchanged motion a rebuilt list should last.
 constexpr double stepsPerList = 2.0;
@@ -252,6 +238,18 @@ Prediction GrainDynamics::predict(const ExternalForces& external)
     return prediction;
 }
 
+Prediction GrainDynamics::tryForces(const ExternalForces& external)
+{
+    const std::vector<PairImpulse> impulses = collectImpulses(self_->list);
+    Prediction prediction = predict(external);
+    for (std::size_t slot = 0; slot < self_->list.slots(); ++slot)
+    {
+        if (self_->list.isUsed(slot)) setImpulse(self_->list, slot, Vec3::Zero());
+    }
+    assignImpulses(self_->list, impulses);
+    return prediction;
+}
+
 StepReport GrainDynamics::advance(const ExternalForces& external)
 {
     Implementation& self = *self_;
@@ -293,29 +291,13 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.isListStale = true;
 
-    std::vector<StoredImpulse> stored;
-    stored.reserve(self.restored.size());
-    for (const PairImpulse& entry : self.restored)
-    {
-        const std::int64_t idB = entry.b >= 0 ? self.grains.id[entry.b] : entry.b;
-        stored.push_back({self.grains.id[entry.a], idB, entry.impulse});
-    }
-    return stored;
+    return byIdentity(self.restored, self.grains);
 }
 
 void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double lastDeltaT)
 {
     Implementation& self = *self_;
-    std::unordered_map<std::int64_t, int> indexOf;
-    for (std::size_t i = 0; i < self.grains.size(); ++i) indexOf[self.grains.id[i]] = static_cast<int>(i);
-    self.restored.clear();
-    for (const StoredImpulse& entry : impulses)
-    {
-        const auto a = indexOf.find(entry.idA);
-        const auto b = indexOf.find(entry.idB);
-        if (a == indexOf.end() || (entry.idB >= 0 && b == indexOf.end())) continue;
-        self.restored.push_back({a->second, entry.idB >= 0 ? b->second : static_cast<int>(entry.idB), entry.impulse});
-    }
+    self.restored = byIndex(impulses, self.grains);
     self.impulseDeltaT = lastDeltaT;
     self.list = ContactList();
     self.isListStale = true;

@@ -28,7 +28,4 @@ std::vector<BodyPair> findPairs
     const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius
 );
 
-/// Bodies sorted along a Morton curve with cells of the given size; ties keep their order.
-std::vector<int> mortonOrder(const std::vector<Vec3>& position, double cellSize);
-
 } // namespace nscd

@@ -39,4 +39,20 @@ inline Scene heap(int dimensions, int perSide, int layers, double radius, double
     return scene;
 }
 
+/// One step in a viscous medium: nothing else stops a grain that rolls, or spins on its contact.
+inline nscd::StepReport stepDamped(nscd::GrainDynamics& dynamics, const Vec3& g, double deltaT)
+{
+    constexpr double rate = 30.0;  // 1/s
+    nscd::ExternalForces forces = weight(dynamics.grains(), g, deltaT);
+    const double kappa = dynamics.grains().shape.inertiaFactor();
+    for (std::size_t i = 0; i < dynamics.grains().size(); ++i)
+    {
+        const double mass = dynamics.grains().mass[i], r = dynamics.grains().radius[i];
+        forces.implicitDrag.push_back(rate*mass);
+        forces.torque.push_back(-rate*kappa*mass*r*r*dynamics.grains().omega[i]);
+    }
+    dynamics.beginStep(deltaT);
+    return dynamics.advance(forces);
+}
+
 } // namespace scenes
