@@ -238,6 +238,18 @@ Prediction GrainDynamics::predict(const ExternalForces& external)
     return prediction;
 }
 
+Prediction GrainDynamics::tryForces(const ExternalForces& external)
+{
+    const std::vector<PairImpulse> impulses = collectImpulses(self_->list);
+    Prediction prediction = predict(external);
+    for (std::size_t slot = 0; slot < self_->list.slots(); ++slot)
+    {
+        if (self_->list.isUsed(slot)) setImpulse(self_->list, slot, Vec3::Zero());
+    }
+    assignImpulses(self_->list, impulses);
+    return prediction;
+}
+
 StepReport GrainDynamics::advance(const ExternalForces& external)
 {
     Implementation& self = *self_;

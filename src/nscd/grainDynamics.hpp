@@ -84,6 +84,9 @@ public:
     /// Velocities and contact forces that the step would end with under `forces`, moving nothing.
     Prediction predict(const ExternalForces& forces);
 
+    /// As predict(), for forces that are not to come: the next solve starts from the impulses before this one.
+    Prediction tryForces(const ExternalForces& forces);
+
     /// Completes the step begun: free velocities, contact solve, motion, restitution, overlap correction.
     /// Ensures: no contact's gap falls below -(dead band + displacement tolerance) if the report says converged
     StepReport advance(const ExternalForces& forces);

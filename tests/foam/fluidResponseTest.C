@@ -83,6 +83,21 @@ TEST(fluidResponse, uniformSuspensionFollowsItsTwoEquations)
     }
 }
 
+// Grains that vanish at once: the fluid of before, alpha per volume of it, is what must be accelerated in that step.
+TEST(fluidResponse, clearedSourcesAreNoGrains)
+{
+    FluidCase tube(periodicTube(4));
+    tube.setMeanFlow(vector(meanFlow, 0, 0));
+    setSources(tube.sources(), [&](const point&) { return dense; });
+    tube.steps(3);
+    const scalar start = tube.fluid().U()[2].x();
+    tube.step([&] { tube.sources().clear(); });
+    EXPECT_NEAR(tube.fluid().U()[2].x(), meanFlow, 1e-12);
+    EXPECT_NEAR(tube.fluid().balancedPressureGradient()[2].x()/(-rho*dense.alpha*(meanFlow - start)/0.02), 1, 1e-9);
+    tube.step();
+    EXPECT_NEAR(tube.fluid().balancedPressureGradient()[2].x(), 0, 1e-6);
+}
+
 // Layers in series carry one volume flux; away from their border each is in its own steady state.
 TEST(fluidResponse, layersShareTheFluxAndSplitTheGradient)
 {

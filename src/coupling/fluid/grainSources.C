@@ -56,6 +56,16 @@ void GrainSources::beginStep()
 }
 
 
+void GrainSources::clear()
+{
+    alpha.primitiveFieldRef() = 1;
+    for (volScalarField* field : {&drag, &pressure, &slip, &mobility}) field->primitiveFieldRef() = 0;
+    acceleration.primitiveFieldRef() = Zero;
+    carried.primitiveFieldRef() = Zero;
+    correctBoundaryConditions();
+}
+
+
 void GrainSources::correctBoundaryConditions()
 {
     alpha.correctBoundaryConditions();

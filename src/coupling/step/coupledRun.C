@@ -96,7 +96,7 @@ GrainResponse CoupledRun::predictResponse()
     {
         prediction = dynamics_->predict(external);
         const TrialPush push = makeTrialPush(grains, step_.force, step_.drag, step_.at, external, deltaT);
-        const ::nscd::Prediction pushed = dynamics_->predict(push.external);
+        const ::nscd::Prediction pushed = dynamics_->tryForces(push.external);
         mobility = followedShare(push, prediction, pushed);
         step_.predictorSweeps = prediction.solve.sweeps + pushed.solve.sweeps;
     }
@@ -210,6 +210,7 @@ void CoupledRun::depositGrains()
     if (immersion_->mapping.report().outsideMesh.empty()) return;
     removeExited(immersion_->mapping.cells());
     updateWeights();
+    if (!hasGrains()) immersion_->sources.clear();
 }
 
 void CoupledRun::updateWeights()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
-"""Small nscdDEMFoam cases in a box, written, run and read back by validation programs."""
+"""Cases read back, and small ones in a box written and run, for validation programs and tutorials."""
 
 import csv
 import os
@@ -35,12 +35,36 @@ def vec(values):
     return "(%.17g %.17g %.17g)" % tuple(values)
 
 
-class BoxCase:
+class CaseFolder:
+    """A case that ran, read back."""
+
+    def __init__(self, folder):
+        self.folder = os.path.abspath(folder)
+
+    def report(self, start="0"):
+        """Columns of report.csv as lists of floats."""
+        with open(os.path.join(self.folder, "postProcessing/grains", start, "report.csv")) as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        return {key: [float(row[key]) for row in rows] for key in rows[0]}
+
+    def times(self):
+        return sorted((name for name in os.listdir(self.folder) if re.fullmatch(r"[0-9.e+-]+", name)), key=float)
+
+    def cloud(self, name, time=None, cloud="grains"):
+        """A field of lagrangian/grains (or contacts) at a written time (the last one): list of floats or of triples."""
+        return readList(os.path.join(self.folder, time or self.times()[-1], "lagrangian", cloud, name))
+
+    def fieldValues(self, name, time=None):
+        """Internal values of a field at a written time (the last one)."""
+        return readList(os.path.join(self.folder, time or self.times()[-1], name))
+
+
+class BoxCase(CaseFolder):
     """A box of cells; `patches` gives each side's type: cyclic, wall, patch, symmetry or empty (default: cyclic)."""
 
     def __init__(self, folder, lower, upper, cells, patches=None, grading=(1, 1, 1)):
-        self.folder = os.path.abspath(folder)
-        shutil.rmtree(self.folder, ignore_errors=True)
+        super().__init__(folder)
+        self.remove()
         for part in ("0", "constant", "system"):
             os.makedirs(os.path.join(self.folder, part))
         self.lower, self.upper, self.cells, self.grading = lower, upper, cells, grading
@@ -50,6 +74,9 @@ class BoxCase:
         self.write("system/fvSolution", SOLUTION % (1e-13, 1e-14))
         self.write("constant/turbulenceProperties", "simulationType laminar;")
         self.writeMesh()
+
+    def remove(self):
+        shutil.rmtree(self.folder, ignore_errors=True)
 
     def write(self, path, body, foamClass="dictionary"):
         name = os.path.basename(path)
@@ -115,26 +142,6 @@ class BoxCase:
             with open(log) as file:
                 sys.stdout.write("".join(file.readlines()[-25:]))
             sys.exit("%s failed in %s" % (program, self.folder))
-
-    def report(self, start="0"):
-        """Columns of report.csv as lists of floats."""
-        with open(os.path.join(self.folder, "postProcessing/grains", start, "report.csv")) as file:
-            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-        return {key: [float(row[key]) for row in rows] for key in rows[0]}
-
-    def times(self):
-        return sorted((name for name in os.listdir(self.folder) if re.fullmatch(r"[0-9.e+-]+", name)), key=float)
-
-    def cloud(self, name, time=None):
-        """A field of lagrangian/grains at a written time (the last one): list of floats or of triples."""
-        return readList(os.path.join(self.folder, time or self.times()[-1], "lagrangian/grains", name))
-
-    def cells_(self, name, time=None):
-        """Internal values of a field at a written time (the last one)."""
-        return readList(os.path.join(self.folder, time or self.times()[-1], name))
-
-    def remove(self):
-        shutil.rmtree(self.folder, ignore_errors=True)
 
 
 def readList(path):

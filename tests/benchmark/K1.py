@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+"""K1: what a run without grains costs over pimpleFoam's, with equal schemes and solvers, on a cavity of 128 x 128 cells."""
+
+import shutil
+import statistics
+
+from pinnedRun import pinned
+from results import BUILD, ROOT, Table, pyplot, savePicture
+
+CAVITY = ROOT/"tests/validation/fluidWithoutGrains/cavity"
+PAIRS = 5   # runs of both, in turn
+GAMG = "solver GAMG; smoother GaussSeidel;"
+PCG = "solver PCG; preconditioner DIC;"
+
+
+def prepare(folder, pressureSolver, steps):
+    """Ours; and beside it pimpleFoam's, whose pressure is over the density."""
+    shutil.rmtree(folder, ignore_errors=True)
+    ours, theirs = folder/"ours", folder/"theirs"
+    shutil.copytree(CAVITY, ours)
+    (ours/"constant/model").write_text("simulationType laminar;\n")
+    (ours/"system/cells").write_text("n 128;\n")
+    (ours/"system/tolerance").write_text("pressureTolerance 1e-7;\n")
+    (ours/"system/run").write_text("deltaT 2.5e-4; endTime %.12g; writeInterval 1000000;\n" % (steps*2.5e-4))
+    solution = ours/"system/fvSolution"
+    solver = solution.read_text().replace("solver          PCG;\n        preconditioner  DIC;", pressureSolver)
+    if pressureSolver not in solver:
+        raise SystemExit("the pressure solver of %s is not what this expects" % solution)
+    solution.write_text(solver)
+    pinned("blockMesh", ours)
+    shutil.copytree(ours, theirs)
+    (theirs/"0/p").write_text((ours/"0/p_rgh").read_text().replace("p_rgh", "p").replace("[1 -1 -2 ", "[0 2 -2 "))
+    return ours, theirs
+
+
+def cost(folder, program, steps):
+    (folder/"system/run").write_text("deltaT 2.5e-4; endTime %.12g; writeInterval 1000000;\n" % (steps*2.5e-4))
+    return pinned(program, folder).cpu
+
+
+def main():
+    table = Table("K1", ["pressureSolver", "run", "nscdDEMFoam", "pimpleFoam", "ratio"])
+    for name, solver in (("GAMG", GAMG), ("PCG", PCG)):
+        ours, theirs = prepare(BUILD/"cases/K1", solver, 1)
+        for run in range(PAIRS):
+            mine = cost(ours, "nscdDEMFoam", 101) - cost(ours, "nscdDEMFoam", 1)
+            other = cost(theirs, "pimpleFoam", 101) - cost(theirs, "pimpleFoam", 1)
+            table.add(name, run + 1, mine, other, mine/other)
+        print("%s: median ratio %.3f" % (name, statistics.median(table.column("ratio", pressureSolver=name))))
+    table.save()
+    figure, axes = pyplot.subplots(figsize=(5, 3.5))
+    for name in ("GAMG", "PCG"):
+        axes.plot(table.column("run", pressureSolver=name), table.column("ratio", pressureSolver=name), "o-", label=name)
+    axes.axhline(1.05, color="gray", linestyle=":")
+    axes.set_xlabel("run")
+    axes.set_ylabel("processor time of 100 steps over pimpleFoam's")
+    axes.legend()
+    savePicture(figure, "K1")
+
+
+main()
