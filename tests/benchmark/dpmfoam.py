@@ -9,7 +9,7 @@ import shutil
 from pathlib import Path
 
 from foamFiles import firstEntry, readNumbers, setEntry
-from pinnedRun import Cost, pinned
+from pinnedRun import CORE, Cost, pinned
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -23,7 +23,7 @@ def arguments():
     parser.add_argument("--case", type=Path, help="case whose 0, constant and system ours runs with (default: that of the state)")
     parser.add_argument("--steps", type=int, default=100, help="DPMFoam steps to time, after the first 10 (default: 100)")
     parser.add_argument("--window", type=float, default=0.2, help="seconds of ours to time, after its first step (default: 0.2)")
-    parser.add_argument("--core", type=int, default=0, help="core both are pinned to (default: 0)")
+    parser.add_argument("--core", type=int, default=CORE, help="core both are pinned to (default: BENCHMARK_CORE, else 0)")
     return parser.parse_args()
 
 

@@ -11,7 +11,10 @@ from collections import namedtuple
 Cost = namedtuple("Cost", "cpu wall")
 
 
-def pinned(program, folder, core=0, log=None):
+CORE = int(os.environ.get("BENCHMARK_CORE", "0"))
+
+
+def pinned(program, folder, core=CORE, log=None):
     """Seconds of one run: of the processor (user and system, which other programs on the core do not change much) and of the clock."""
     log = os.path.join(folder, log or "log." + program)
     start = time.time()

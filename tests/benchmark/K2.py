@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+"""K2: what `fluid none` saves: steps of a settled box without fluid and in still air, from the same state."""
+
+import re
+import shutil
+from pathlib import Path
+
+from pinnedRun import pinned
+from results import BUILD, Table, pyplot, savePicture
+from settledBox import settledBox, writeGrains
+
+SETTLED, STEPS, DELTA_T = 0.2, 50, 1e-3
+PARTS = ["sampleFluid", "linearizeDrag", "solveFluid", "fluidForces", "advanceGrains", "depositGrains", "reportStep"]
+
+
+def settle():
+    case = settledBox(BUILD/"cases/K2", "fluid none;")
+    case.control(DELTA_T, SETTLED)
+    case.call("blockMesh")
+    pinned("nscdDEMFoam", case.folder)
+    return case
+
+
+def steps(case, extra, count):
+    """Processor seconds and log of some steps more."""
+    writeGrains(case, extra)
+    case.control(DELTA_T, SETTLED + count*DELTA_T, 1e6)
+    cost = pinned("nscdDEMFoam", case.folder)
+    return cost.cpu, Path(case.folder, "log.nscdDEMFoam").read_text()
+
+
+def measure(table, case, name, extra):
+    startUp, _ = steps(case, extra, 1)
+    long, log = steps(case, extra, 1 + STEPS)
+    parts = [float(re.search(r"^\s*%s\s+\S+\s+\S+ %%\s+(\S+)\s*$" % part, log, flags=re.M).group(1)) for part in PARTS]
+    table.add(name, 1e3*(long - startUp)/STEPS, log.count("Solving for"), *parts)
+
+
+def main():
+    table = Table("K2", ["fluid", "ms", "linearSolves"] + PARTS)
+    case = settle()
+    written = Path(case.folder, case.times()[-1])
+    measure(table, case, "none", "fluid none;")
+    hasFields = (written/"U").exists() or Path(case.folder, "0/U").exists()
+    case.fluid(1.2, 1.8e-5)
+    for name in ("U", "p_rgh"):
+        shutil.copy(Path(case.folder, "0", name), written)
+    measure(table, case, "solved", "")
+    table.save()
+    print("fluid none: %d linear solves, fields of the fluid %s" % (table.rows[0][2], "there" if hasFields else "not even there"))
+    draw(table)
+    case.remove()
+
+
+def draw(table):
+    figure, axes = pyplot.subplots(figsize=(6, 3.5))
+    left = [0.0]*len(table.rows)
+    for k, part in enumerate(PARTS):
+        widths = [row[3 + k] for row in table.rows]
+        axes.barh(table.column("fluid"), widths, left=left, label=part)
+        left = [a + b for a, b in zip(left, widths)]
+    axes.set_xlabel("ms per step (clock)")
+    axes.legend(fontsize=7)
+    savePicture(figure, "K2")
+
+
+main()
