@@ -6,6 +6,7 @@ import csv
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 
@@ -144,9 +145,24 @@ class BoxCase(CaseFolder):
             sys.exit("%s failed in %s" % (program, self.folder))
 
 
+WIDTHS = {b"scalarField": "d", b"vectorField": "3d", b"labelField": "i"}
+
+
+def readBinary(content):
+    """A field of lagrangian/grains written in binary."""
+    head = content[:content.index(b"}")]
+    layout = WIDTHS[re.search(rb"class\s+(\w+)", head).group(1)]
+    start = re.compile(rb"(?:\s|//[^\n]*\n)*(\d+)\s*\(").match(content, len(head) + 1)
+    values = struct.iter_unpack("<" + layout, content[start.end():start.end() + int(start.group(1))*struct.calcsize("<" + layout)])
+    return [value if len(value) > 1 else value[0] for value in values]
+
+
 def readList(path):
-    with open(path) as file:
-        text = file.read()
+    with open(path, "rb") as file:
+        content = file.read()
+    if b"binary" in content[:content.index(b"}")] and re.match(rb"(?:\s|//[^\n]*\n)*\d+\s*\(", content[content.index(b"}") + 1:]):
+        return readBinary(content)
+    text = content.decode()
     text = text[text.index("}") + 1:]
     uniform = re.search(r"internalField\s+uniform\s+(\([^)]*\)|\S+);", text)
     if uniform:
