@@ -55,7 +55,8 @@ bool setLaws(ContactList& list, std::size_t k, double deltaT, double deadBand)
         block.invWn[lane] = 1.0/wn;
         block.invWt[lane] = 1.0/(wn + a.invSpin + b.invSpin);
         // A gap beyond the band may close to nothing, not to the band's edge: there, noise would open the contact again.
-        block.bias[lane] = list.gap[slot] > deadBand ? std::min(unreachable, list.gap[slot]/deltaT) : 0.0;
+        block.bias[lane] = list.gap[slot] <= deadBand ? 0.0
+            : list.gap[slot] < unreachable*deltaT ? list.gap[slot]/deltaT : unreachable;
         double un = 0.0;
         for (int axis = 0; axis < 3; ++axis) un += (a.v[axis] - b.v[axis])*block.n[axis][lane];
         isAwake = isAwake || block.bias[lane] == 0.0 || un + block.bias[lane] < 0.0 || impulse(list, slot) != Vec3::Zero();
