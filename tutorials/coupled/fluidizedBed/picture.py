@@ -14,6 +14,7 @@ case.UpdatePipeline(time=case.TimestepValues[-1])
 view = CreateView("RenderView")
 view.ViewSize = [500, 900]
 view.ViewTime = case.TimestepValues[-1]
+view.UseColorPaletteForBackground = 0
 view.Background = [1, 1, 1]
 view.OrientationAxesVisibility = 0
 
