@@ -97,7 +97,7 @@ GrainResponse CoupledRun::predictResponse()
         prediction = dynamics_->predict(external);
         const TrialPush push = makeTrialPush(grains, step_.force, step_.drag, step_.at, external, deltaT);
         const ::nscd::Prediction pushed = dynamics_->tryForces(push.external);
-        mobility = followedShare(push, prediction, pushed);
+        mobility = followedShare(push, step_.force, prediction, pushed);
         step_.predictorSweeps = prediction.solve.sweeps + pushed.solve.sweeps;
     }
     return contactAwareResponse(grains, step_.drag, step_.at, prediction, mobility, active_.pressureGradient, deltaT);

@@ -136,7 +136,7 @@ TrialPush makeTrialPush
 
 std::vector<scalar> followedShare
 (
-    const TrialPush& push, const ::nscd::Prediction& before, const ::nscd::Prediction& after
+    const TrialPush& push, const std::vector<Vec3>& force, const ::nscd::Prediction& before, const ::nscd::Prediction& after
 )
 {
     std::vector<scalar> share(push.direction.size(), 1.0);
@@ -144,7 +144,8 @@ std::vector<scalar> followedShare
     for (std::size_t i = 0; i < share.size(); ++i)
     {
         const scalar followed = push.direction[i].dot(after.velocity[i] - before.velocity[i])/push.speed;
-        share[i] = std::min(1.0, std::max(0.0, followed));
+        const scalar unborne = 1.0 - before.contactForce[i].norm()/std::max(force[i].norm(), VSMALL);
+        share[i] = std::max(0.0, std::min({1.0, followed, unborne}));
     }
     return share;
 }
