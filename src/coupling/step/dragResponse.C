@@ -143,6 +143,8 @@ std::vector<scalar> followedShare
     if (push.speed <= 0) return share;
     for (std::size_t i = 0; i < share.size(); ++i)
     {
+        // A grain that meets none is free to the last digit; the quotient below would not say so.
+        if (before.contactForce[i] == Vec3::Zero() && after.contactForce[i] == Vec3::Zero()) continue;
         const scalar followed = push.direction[i].dot(after.velocity[i] - before.velocity[i])/push.speed;
         const scalar unborne = 1.0 - before.contactForce[i].norm()/std::max(force[i].norm(), VSMALL);
         share[i] = std::max(0.0, std::min({1.0, followed, unborne}));
