@@ -16,19 +16,6 @@ namespace
 
 constexpr int blockSize = 3*blockLanes;
 
-/// Sums in as many parts as there are lanes, so that the compiler can add them side by side.
-struct LaneSums
-{
-    double part[blockLanes] = {};
-
-    double total() const
-    {
-        double sum = 0.0;
-        for (double p : part) sum += p;
-        return sum;
-    }
-};
-
 } // namespace
 
 AndersonAcceleration::Impulses gatherImpulses(const std::vector<ContactBlock>& blocks, BlockRange range)
@@ -42,13 +29,14 @@ AndersonAcceleration::Impulses gatherImpulses(const std::vector<ContactBlock>& b
     return r;
 }
 
-AndersonAcceleration::AndersonAcceleration(BlockRange range)
+AndersonAcceleration::AndersonAcceleration(BlockRange range, DifferenceFunction addDifferences)
 :
     range_(range),
+    addDifferences_(addDifferences),
     previousImage_(range.count*blockSize),
     previousDefect_(range.count*blockSize)
 {
-    for (int column = 0; column < depth; ++column)
+    for (int column = 0; column < mixingDepth; ++column)
     {
         imageDifference_[column].resize(range.count*blockSize);
         defectDifference_[column].resize(range.count*blockSize);
@@ -64,52 +52,21 @@ void AndersonAcceleration::forget()
     projection_.setZero();
 }
 
-void AndersonAcceleration::addDifferences(const std::vector<ContactBlock>& blocks, const Impulses& r)
+MixingHistory AndersonAcceleration::history()
 {
-    float* image = imageDifference_[column_].data();
-    float* newest = defectDifference_[column_].data();
-    LaneSums gram[depth], projection[depth];
-    for (std::size_t k = 0; k < range_.count; ++k)
+    MixingHistory history{previousImage_.data(), previousDefect_.data(), {}, {}, column_, stored_};
+    for (int column = 0; column < mixingDepth; ++column)
     {
-        const ContactBlock& block = blocks[range_[k]];
-        double weight[blockLanes];
-        for (int l = 0; l < blockLanes; ++l) weight[l] = 1.0/std::max(block.invWn[l], 1e-300);
-        for (int m = 0; m < 3; ++m)
-        {
-            const std::size_t at = k*blockSize + m*blockLanes;
-            const double* now = block.r[m];
-            double f[blockLanes], df[blockLanes];
-            for (int l = 0; l < blockLanes; ++l)
-            {
-                f[l] = now[l] - r[at + l];
-                df[l] = f[l] - previousDefect_[at + l];
-                image[at + l] = static_cast<float>(now[l] - previousImage_[at + l]);
-                newest[at + l] = static_cast<float>(df[l]);
-                previousDefect_[at + l] = static_cast<float>(f[l]);
-                previousImage_[at + l] = now[l];
-            }
-            for (int column = 0; column < stored_; ++column)
-            {
-                const float* old = defectDifference_[column].data() + at;
-                for (int l = 0; l < blockLanes; ++l)
-                {
-                    gram[column].part[l] += weight[l]*df[l]*old[l];
-                    projection[column].part[l] += weight[l]*f[l]*old[l];
-                }
-            }
-        }
+        history.imageDifference[column] = imageDifference_[column].data();
+        history.defectDifference[column] = defectDifference_[column].data();
     }
-    for (int column = 0; column < stored_; ++column)
-    {
-        gram_(column, column_) = gram_(column_, column) = gram[column].total();
-        projection_[column] = projection[column].total();
-    }
+    return history;
 }
 
 AndersonAcceleration::Gamma AndersonAcceleration::solveLeastSquares() const
 {
-    Eigen::Matrix<double, depth, depth> gram = gram_;
-    for (int column = 0; column < depth; ++column)
+    Eigen::Matrix<double, mixingDepth, mixingDepth> gram = gram_;
+    for (int column = 0; column < mixingDepth; ++column)
     {
         // Nearly parallel differences must not blow the mixing up; columns not yet filled are zero and take no part.
         double& diagonal = gram(column, column);
@@ -133,19 +90,25 @@ void AndersonAcceleration::mix(const std::vector<ContactBlock>& blocks, Impulses
         remember(blocks, r);
         return;
     }
-    column_ = stored_ < depth ? stored_++ : (column_ + 1) % depth;
-    addDifferences(blocks, r);
+    column_ = stored_ < mixingDepth ? stored_++ : (column_ + 1) % mixingDepth;
+    const MixingSums sums = addDifferences_(blocks.data(), range_, r.data(), history());
+    for (int column = 0; column < stored_; ++column)
+    {
+        gram_(column, column_) = gram_(column_, column) = sums.gram[column];
+        projection_[column] = sums.projection[column];
+    }
     const Gamma gamma = solveLeastSquares();
-    r = previousImage_;
     if (!gamma.allFinite())
     {
+        r = previousImage_;
         forget();
         return;
     }
-    for (int column = 0; column < stored_; ++column)
+    for (std::size_t i = 0; i < r.size(); ++i)
     {
-        const float* difference = imageDifference_[column].data();
-        for (std::size_t i = 0; i < r.size(); ++i) r[i] -= gamma[column]*difference[i];
+        double mixed = previousImage_[i];
+        for (int column = 0; column < stored_; ++column) mixed -= gamma[column]*imageDifference_[column][i];
+        r[i] = mixed;
     }
 }
 

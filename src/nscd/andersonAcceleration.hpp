@@ -19,14 +19,11 @@ namespace nscd
 class AndersonAcceleration
 {
 public:
-    /// Differences that are mixed: more cost more and converge no faster.
-    static constexpr int depth = 3;
-
     /// Impulses as one vector: x, y, z of eight lanes for each block.
     using Impulses = std::vector<double>;
 
     /// For the blocks of a range, which must stay as it is.
-    explicit AndersonAcceleration(BlockRange range);
+    AndersonAcceleration(BlockRange range, DifferenceFunction addDifferences);
 
     /// Turns `r` into the next iterate of the map whose last application led from `r` to what the blocks hold, before
     /// its projection on the friction cones; to the blocks' impulses themselves until there are differences to mix.
@@ -39,21 +36,22 @@ public:
     void forget();
 
 private:
-    using Gamma = Eigen::Matrix<double, depth, 1>;
+    using Gamma = Eigen::Matrix<double, mixingDepth, 1>;
 
     void remember(const std::vector<ContactBlock>& blocks, Impulses& r);
-    void addDifferences(const std::vector<ContactBlock>& blocks, const Impulses& r);
+    MixingHistory history();
     Gamma solveLeastSquares() const;
 
     BlockRange range_;
+    DifferenceFunction addDifferences_;
     int column_ = 0;      ///< of the newest difference
     int stored_ = 0;
     bool hasPrevious_ = false;
     Impulses previousImage_;
     std::vector<float> previousDefect_;
-    std::vector<float> imageDifference_[depth];
-    std::vector<float> defectDifference_[depth];
-    Eigen::Matrix<double, depth, depth> gram_;  ///< df^T W df
+    std::vector<float> imageDifference_[mixingDepth];
+    std::vector<float> defectDifference_[mixingDepth];
+    Eigen::Matrix<double, mixingDepth, mixingDepth> gram_;  ///< df^T W df
     Gamma projection_;                          ///< df^T W f
 };
 

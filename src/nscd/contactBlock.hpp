@@ -62,6 +62,30 @@ using SweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, BlockRa
 /// receives what was set.
 using ReplaceFunction = void (*)(Body* bodies, ContactBlock* blocks, BlockRange range, double* target);
 
+/// Differences an Anderson mixing keeps: more cost more and converge no faster.
+constexpr int mixingDepth = 3;
+
+/// What a mixing remembers of earlier iterates, 24 numbers a block of the range, as in ReplaceFunction.
+struct MixingHistory
+{
+    double* image;                           ///< F(r) of the last mixing [N s]
+    float* defect;                           ///< f = F(r) - r of the last mixing
+    float* imageDifference[mixingDepth];     ///< between mixings, of F(r)
+    float* defectDifference[mixingDepth];    ///< of f
+    int newest;                              ///< column to be written
+    int stored;                              ///< columns in use, the newest included
+};
+
+/// Inner products of the newest differences df and of f with all columns, each weighted with W_nn.
+struct MixingSums
+{
+    double gram[mixingDepth];
+    double projection[mixingDepth];
+};
+
+/// Moves a history on to what the blocks hold now, which sweeps made of `start`.
+using DifferenceFunction = MixingSums (*)(const ContactBlock* blocks, BlockRange range, const double* start, const MixingHistory& history);
+
 struct SweepKernels
 {
     const char* name;
@@ -71,6 +95,7 @@ struct SweepKernels
     SweepFunction evaluate;
     SweepFunction evaluateFrictionless;
     ReplaceFunction replaceImpulses;
+    DifferenceFunction addDifferences;
 };
 
 } // namespace nscd

@@ -62,7 +62,7 @@ bool SlowSolve::isSlow(const DefectSums& sums)
 
 void SlowSolve::start(int sweeps)
 {
-    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active());
+    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences);
     endOfTerm_ = sweeps + probation;
     restart();
 }
@@ -71,7 +71,7 @@ void SlowSolve::forget()
 {
     queue_.reset();
     if (!anderson_) return;
-    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active());
+    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences);
     restart();
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "contactBlock.hpp"
+#include "mixingKernel.hpp"
 
 namespace nscd
 {
@@ -177,7 +178,7 @@ template<class V>
 constexpr SweepKernels makeKernels(const char* name)
 {
     return {name, V::lanes, passOverBlocks<V, true, true>, passOverBlocks<V, false, true>,
-            passOverBlocks<V, true, false>, passOverBlocks<V, false, false>, replaceImpulses<V>};
+            passOverBlocks<V, true, false>, passOverBlocks<V, false, false>, replaceImpulses<V>, addDifferences};
 }
 
 } // namespace

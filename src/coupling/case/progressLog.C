@@ -32,7 +32,8 @@ std::string ProgressLog::progress(scalar time) const
 void ProgressLog::writeFluid(const FluidSummary& fluid, scalar courantMax) const
 {
     const std::string predictor = fluid.predictorSweeps < 0
-        ? "no predictor" : formatted("predictor %d sweeps", int(fluid.predictorSweeps));
+        ? "no predictor"
+        : formatted("predictor %d sweeps%s", int(fluid.predictorSweeps), fluid.predictorConverged ? "" : " (at the cap)");
     os_ << formatted
         (
             "  sampleFluid: slip <= %.3g m/s; linearizeDrag: gamma dt/m <= %.3g, %s",

@@ -45,8 +45,7 @@ FluidFields::FluidFields(const fvMesh& mesh, const volScalarField& alpha)
     pRgh(stored(mesh, "p_rgh", IOobject::MUST_READ), mesh),
     phi(stored(mesh, "phi", IOobject::READ_IF_PRESENT), fvc::flux(alpha*U)),
     balancedGradient(zeroOrRead(mesh, "balancedGradient", dimPressure/dimLength)),
-    divTau(zeroOrRead(mesh, "divTau", dimForce/dimVolume)),
-    hasBalancedGradient(isStored(mesh, "balancedGradient"))
+    divTau(zeroOrRead(mesh, "divTau", dimForce/dimVolume))
 {
     mesh.setFluxRequired(pRgh.name());
     if (isStored(mesh, "bodyAcceleration")) bodyAccelerationOf(*this);

@@ -42,7 +42,6 @@ void PressureCorrection::correctPlain
     pRgh.relax();
 
     fields.balancedGradient = fvc::grad(pRgh);
-    fields.hasBalancedGradient = true;
     U = HbyA - rAU/rho*fields.balancedGradient;
     U.correctBoundaryConditions();
 }

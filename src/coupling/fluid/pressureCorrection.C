@@ -145,7 +145,6 @@ void PressureCorrection::correctCells
     fields.balancedGradient = rho*(terms.force - imbalance);
     if (terms.response.valid()) fields.balancedGradient /= terms.response->chi;
     fields.balancedGradient.correctBoundaryConditions();
-    fields.hasBalancedGradient = true;
 }
 
 

@@ -53,6 +53,7 @@ void CoupledRun::linearizeDrag()
     const auto timer = timing_.time(StepPart::linearizeDrag);
     const scalar deltaT = time_.deltaTValue();
     step_.predictorSweeps = -1;
+    step_.predictorConverged = true;
     if (!hasFluid() || !hasGrains()) return;
 
     const ::nscd::Grains& grains = dynamics_->grains();
@@ -99,6 +100,7 @@ GrainResponse CoupledRun::predictResponse()
         const ::nscd::Prediction pushed = dynamics_->tryForces(push.external);
         mobility = followedShare(push, step_.force, prediction, pushed);
         step_.predictorSweeps = prediction.solve.sweeps + pushed.solve.sweeps;
+        step_.predictorConverged = prediction.solve.converged && pushed.solve.converged;
     }
     return contactAwareResponse(grains, step_.drag, step_.at, prediction, mobility, active_.pressureGradient, deltaT);
 }

@@ -69,6 +69,7 @@ FluidSummary CoupledRun::describeFluid() const
     }
     summary.dragRatioMax = step_.drag.largestStiffness;
     summary.predictorSweeps = step_.predictorSweeps;
+    summary.predictorConverged = step_.predictorConverged;
     summary.pressureIterations = pressureIterations(mesh_);
     summary.continuityError = immersion_->fluid->continuityError().largest*time_.deltaTValue();
     summary.fluidFractionMin = gMin(immersion_->sources.alpha.primitiveField());

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The solver suite: every solver and every vector path, judged by a residual recomputed from velocities and contacts.
+#include "andersonAcceleration.hpp"
 #include "contactSolver.hpp"
 #include "heaps.hpp"
 #include "naturalMap.hpp"
@@ -209,6 +210,26 @@ TEST(SweepKernels, agreeOnEveryPath)
         wide.replaceImpulses(y.bodies.data(), y.blocks.data(), y.all(), same.data());
         expectSameBodies(x.bodies, y.bodies, 1e-13);
         for (std::size_t i = 0; i < target.size(); ++i) ASSERT_NEAR(target[i], same[i], 1e-14);
+    }
+}
+
+TEST(SweepKernels, mixTheSameOnEveryPath)
+{
+    const nscd::SweepKernels portable = nscd::chooseKernels("portable");
+    for (const char* path : {"AVX2", "AVX512"})
+    {
+        if (!isAvailable(path)) continue;
+        const nscd::SweepKernels wide = nscd::chooseKernels(path);
+        RandomProblem problem(20);
+        nscd::AndersonAcceleration one(problem.all(), portable.addDifferences), other(problem.all(), wide.addDifferences);
+        for (int mixing = 0; mixing < 2*nscd::mixingDepth; ++mixing)
+        {
+            std::vector<double> r = nscd::gatherImpulses(problem.blocks, problem.all()), same = r;
+            portable.sweep(problem.bodies.data(), problem.blocks.data(), problem.all());
+            one.mix(problem.blocks, r);
+            other.mix(problem.blocks, same);
+            for (std::size_t i = 0; i < r.size(); ++i) ASSERT_NEAR(r[i], same[i], 1e-9) << path << " " << mixing;
+        }
     }
 }
 

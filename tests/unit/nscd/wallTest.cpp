@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <random>
 
 using namespace scenes;
@@ -148,6 +149,16 @@ TEST(Wall, aGrainInACornerTouchesBothWalls)
     EXPECT_EQ(dynamics.contacts().size(), 2u);
     const double mass = dynamics.grains().mass[0];
     EXPECT_NEAR((dynamics.wallForce()[0] - mass*scene.g).norm(), 0, 1e-9*mass);
+}
+
+TEST(Wall, slotsOfSuppressedEdgesRaiseNoFloatingPointError)
+{
+    Scene scene = tiledFloor(0.3);
+    scene.addGrain(Vec3(1.02, 1.97, radius), radius);
+    auto dynamics = scene.build();
+    std::feclearexcept(FE_ALL_EXCEPT);
+    for (int k = 0; k < 3; ++k) step(dynamics, scene.g, deltaT);
+    EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0);
 }
 
 TEST(Wall, rollsOverSeamsAsOverAPlane)

@@ -42,10 +42,14 @@ class CaseFolder:
     def __init__(self, folder):
         self.folder = os.path.abspath(folder)
 
-    def report(self, start="0"):
-        """Columns of report.csv as lists of floats."""
-        with open(os.path.join(self.folder, "postProcessing/grains", start, "report.csv")) as file:
-            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    def report(self):
+        """Columns of report.csv as lists of floats: of the run and the restarts that continued it, one after another."""
+        root = os.path.join(self.folder, "postProcessing/grains")
+        rows = []
+        for start in sorted(os.listdir(root), key=float):
+            with open(os.path.join(root, start, "report.csv")) as file:
+                added = list(csv.DictReader(line for line in file if not line.startswith("#")))
+            rows = [row for row in rows if float(row["time"]) < float(added[0]["time"])] + added
         return {key: [float(row[key]) for row in rows] for key in rows[0]}
 
     def times(self):

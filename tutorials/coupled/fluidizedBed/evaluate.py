@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """Pressure drop of the fluidized bed against time, the bed itself, and the figures that expected.csv judges."""
 
+import glob
 import math
 
 import numpy
@@ -14,8 +15,9 @@ WEIGHT = 24750*math.pi/6*2.5e-3**3*(2526 - 1.2)*9.81/(0.015*0.15)   # Pa: submer
 
 
 def pressureDrop():
-    """Times and p_rgh at the distributor, which is 0 at the outlet."""
-    return numpy.loadtxt("postProcessing/pressureDrop/0/surfaceFieldValue.dat", unpack=True)
+    """Times and p_rgh at the distributor, which is 0 at the outlet; of the runs that followed one another."""
+    runs = sorted(glob.glob("postProcessing/pressureDrop/*/surfaceFieldValue.dat"), key=lambda path: float(path.split("/")[2]))
+    return numpy.concatenate([numpy.loadtxt(path) for path in runs]).T
 
 
 def blockError(values, blocks=10):
