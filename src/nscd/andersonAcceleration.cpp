@@ -29,10 +29,11 @@ AndersonAcceleration::Impulses gatherImpulses(const std::vector<ContactBlock>& b
     return r;
 }
 
-AndersonAcceleration::AndersonAcceleration(BlockRange range, DifferenceFunction addDifferences)
+AndersonAcceleration::AndersonAcceleration(BlockRange range, DifferenceFunction addDifferences, const Halo& halo)
 :
     range_(range),
     addDifferences_(addDifferences),
+    halo_(halo),
     previousImage_(range.count*blockSize),
     previousDefect_(range.count*blockSize)
 {
@@ -91,7 +92,9 @@ void AndersonAcceleration::mix(const std::vector<ContactBlock>& blocks, Impulses
         return;
     }
     column_ = stored_ < mixingDepth ? stored_++ : (column_ + 1) % mixingDepth;
-    const MixingSums sums = addDifferences_(blocks.data(), range_, r.data(), history());
+    MixingSums sums = addDifferences_(blocks.data(), range_, r.data(), history());
+    halo_.sum(sums.gram, mixingDepth);
+    halo_.sum(sums.projection, mixingDepth);
     for (int column = 0; column < stored_; ++column)
     {
         gram_(column, column_) = gram_(column_, column) = sums.gram[column];

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "contactBlock.hpp"
+#include "halo.hpp"
 
 #include <Eigen/Core>
 
@@ -22,8 +23,8 @@ public:
     /// Impulses as one vector: x, y, z of eight lanes for each block.
     using Impulses = std::vector<double>;
 
-    /// For the blocks of a range, which must stay as it is.
-    AndersonAcceleration(BlockRange range, DifferenceFunction addDifferences);
+    /// For the blocks of a range, which must stay as it is; of all ranks, one gamma for all.
+    AndersonAcceleration(BlockRange range, DifferenceFunction addDifferences, const Halo& halo);
 
     /// Turns `r` into the next iterate of the map whose last application led from `r` to what the blocks hold, before
     /// its projection on the friction cones; to the blocks' impulses themselves until there are differences to mix.
@@ -44,6 +45,7 @@ private:
 
     BlockRange range_;
     DifferenceFunction addDifferences_;
+    const Halo& halo_;
     int column_ = 0;      ///< of the newest difference
     int stored_ = 0;
     bool hasPrevious_ = false;

@@ -20,12 +20,12 @@ constexpr double backSide = -0.5;
 /// Two wall points nearer than this share of the radius are one point.
 constexpr double samePoint = 1e-6;
 
-void refuseCoincident(const ContactList& list, const Scene& scene, int a, int b)
+void refuseCoincident(const ContactList& list, int a, int b)
 {
     throw invalidValue
     (
-        "distance between the centers of grains " + std::to_string(scene.grains.id[list.grainOf[a]]) + " and "
-      + std::to_string(scene.grains.id[list.grainOf[b]]), 0, "> 0 m (coincident centers have no contact normal)"
+        "distance between the centers of grains " + std::to_string(list.id[a]) + " and "
+      + std::to_string(list.id[b]), 0, "> 0 m (coincident centers have no contact normal)"
     );
 }
 
@@ -42,7 +42,7 @@ void updatePair(ContactList& list, const Scene& scene, std::size_t slot, int a, 
     for (int k = 0; k < 3; ++k) dx[k] -= list.image[slot][k]*scene.box.length[k];
     const double sum = list.radius[a] + list.radius[b];
     const double distance = dx.norm();
-    if (!(distance > 1e-12*sum)) refuseCoincident(list, scene, a, b);
+    if (!(distance > 1e-12*sum)) refuseCoincident(list, a, b);
     setSlot(list, slot, dx/distance, distance - sum);
 }
 

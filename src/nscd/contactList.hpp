@@ -6,6 +6,7 @@
 
 #include "contactBlock.hpp"
 #include "grains.hpp"
+#include "halo.hpp"
 #include "materials.hpp"
 #include "periodicBox.hpp"
 #include "walls.hpp"
@@ -16,21 +17,29 @@
 namespace nscd
 {
 
-/// Bodies are the grains sorted along a space-filling curve; one static body for all walls comes last.
-/// A slot is a lane of a block; unused slots join the static body to itself.
+/// Bodies are numbered as Halo says; own ones are the grains sorted along a space-filling curve; one static body for all walls
+/// comes last. A slot is a lane of a block; unused slots join the static body to itself.
 struct ContactList
 {
-    // Per body.
+    // Per own body.
     std::vector<int> grainOf;
-    std::vector<int> bodyOf;                ///< inverse of grainOf
-    std::vector<Vec3> position;             ///< not wrapped since the list was built [m]
     std::vector<Vec3> positionAtBuild;
-    std::vector<double> radius;
     std::vector<double> reach;              ///< distance a body may travel from positionAtBuild before the list is stale [m]
+
+    // Per own body, ghost and copy.
+    std::vector<Vec3> position;             ///< not wrapped since the list was built [m]
+    std::vector<double> radius;
+    std::vector<double> inverseMass;        ///< 0 where held; without drag, and not split among ranks [1/kg]
+    std::vector<std::int64_t> id;
     std::vector<Body> bodies;               ///< one more: the static body
+
+    std::vector<GhostGrain> ghosts;         ///< those that contacts here need
+    std::vector<GhostGrain> solvedElsewhere;  ///< others nearby
+    Halo halo;
 
     // Per slot.
     std::vector<ContactBlock> blocks;
+    std::size_t interfaceBlock = 0;         ///< from this block on contacts join grains of two ranks
     std::vector<double> gap;                ///< [m]
     std::vector<int> wall;                  ///< wall region, or -1 for a pair of grains
     std::vector<std::array<signed char, 3>> image;  ///< periodic shift of body B, in periods
@@ -38,13 +47,17 @@ struct ContactList
 
     std::vector<std::uint32_t> awake;       ///< blocks that can matter in this step, ascending; set by prepareSlots
 
-    std::size_t candidates = 0;
+    std::size_t candidates = 0;             ///< on this rank
     std::vector<int> wallSlots;             ///< slots of outlined walls, grouped by body, for the suppression of ghost contacts
     std::vector<int> wallSlotStart;         ///< group k is wallSlots[wallSlotStart[k] .. wallSlotStart[k+1])
 
-    int staticBody() const { return static_cast<int>(grainOf.size()); }
+    int owned() const { return static_cast<int>(grainOf.size()); }
+    int staticBody() const { return static_cast<int>(bodies.size()) - 1; }
     std::size_t slots() const { return gap.size(); }
     bool isUsed(std::size_t slot) const { return blocks[slot/blockLanes].a[slot % blockLanes] != staticBody(); }
+
+    /// Index of a body's grain; of ghost g: the number of own grains + g.
+    int grain(int body) const;
 };
 
 /// Impulse of the slot, on A [N s].
@@ -61,32 +74,9 @@ struct Scene
     const PeriodicBox& box;
 };
 
-/// A contact's impulse by the grains' indices; `b` < 0 means wall region -1 - b.
-struct PairImpulse
-{
-    int a;
-    int b;
-    Vec3 impulse;  ///< on a [N s]
-};
-
-/// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards.
-/// Cost: linear in the number of grains for any size distribution (one grid per octave of radius + reach).
+/// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
-ContactList buildContactList(const Scene& scene, const std::vector<double>& reach);
-
-/// A slot that carries an impulse.
-struct SlotImpulse
-{
-    std::size_t slot;
-    PairImpulse pair;
-};
-
-/// Impulses that are not zero, keyed by grain index.
-std::vector<SlotImpulse> loadedSlots(const ContactList& list);
-std::vector<PairImpulse> collectImpulses(const ContactList& list);
-
-/// Gives each candidate the impulse its pair had; of several images of a pair, the one best aligned with the impulse gets it.
-void assignImpulses(ContactList& list, const std::vector<PairImpulse>& impulses);
+ContactList buildContactList(const Scene& scene, const std::vector<double>& reach, double diameter, Exchange& exchange);
 
 /// Recomputes normals and gaps at the present positions.
 /// Errors: std::invalid_argument for coincident centers, naming the grains

@@ -19,6 +19,13 @@ namespace
 constexpr double polishPerMotion = 10.0;
 constexpr double finestPolish = 3e-3;
 
+DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& other)
+{
+    double sums[2] = {one.sumSquares + other.sumSquares, one.active + other.active};
+    halo.sum(sums, 2);
+    return {sums[0], halo.max(std::max(one.maxSquare, other.maxSquare)), sums[1]};
+}
+
 } // namespace
 
 bool StopRule::isWithin(const DefectSums& sums, double factor) const
@@ -37,10 +44,46 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
     return {settings.tolerance*speed, settings.displacementTolerance*lengthRate, speed, polish};
 }
 
-DefectSums residual(const ContactProblem& problem)
+BlockRange ContactProblem::inner() const
+{
+    const auto end = std::lower_bound(awake.begin(), awake.end(), interfaceBlock);
+    return {awake.data(), static_cast<std::size_t>(end - awake.begin())};
+}
+
+BlockRange ContactProblem::interface() const
+{
+    const std::size_t inside = inner().count;
+    return {awake.data() + inside, awake.size() - inside};
+}
+
+DefectSums sweepActive(ContactProblem& problem)
+{
+    const SweepFunction sweep = problem.isFrictional ? problem.kernels.sweep : problem.kernels.sweepFrictionless;
+    const DefectSums inner = sweep(problem.bodies.data(), problem.blocks.data(), problem.inner());
+    if (!problem.halo.isParallel()) return inner;
+    problem.halo.giveVelocities(problem.bodies);
+    const DefectSums between = sweep(problem.bodies.data(), problem.blocks.data(), problem.interface());
+    problem.halo.takeVelocities(problem.bodies);
+    return overRanks(problem.halo, inner, between);
+}
+
+void replaceImpulses(ContactProblem& problem, std::vector<double>& target)
+{
+    const BlockRange inner = problem.inner();
+    problem.kernels.replaceImpulses(problem.bodies.data(), problem.blocks.data(), inner, target.data());
+    if (!problem.halo.isParallel()) return;
+    double* between = target.data() + 3*blockLanes*inner.count;
+    problem.halo.giveVelocities(problem.bodies);
+    problem.kernels.replaceImpulses(problem.bodies.data(), problem.blocks.data(), problem.interface(), between);
+    problem.halo.takeVelocities(problem.bodies);
+}
+
+DefectSums residual(ContactProblem& problem)
 {
     const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
-    return evaluate(problem.bodies.data(), problem.blocks.data(), problem.all());
+    problem.halo.giveVelocities(problem.bodies);
+    const DefectSums here = evaluate(problem.bodies.data(), problem.blocks.data(), problem.all());
+    return problem.halo.isParallel() ? overRanks(problem.halo, here, {0.0, 0.0, 0.0}) : here;
 }
 
 bool wakeBlocks(ContactProblem& problem)
@@ -48,6 +91,7 @@ bool wakeBlocks(ContactProblem& problem)
     const std::size_t before = problem.awake.size();
     std::vector<std::uint32_t> awake;
     std::size_t next = 0;
+    problem.halo.giveVelocities(problem.bodies);
     for (std::uint32_t k = 0; k < problem.blocks.size(); ++k)
     {
         const bool isAwake = next < before && problem.awake[next] == k;
@@ -56,9 +100,8 @@ bool wakeBlocks(ContactProblem& problem)
         if (isAwake || problem.kernels.evaluateFrictionless(problem.bodies.data(), &problem.blocks[k], {nullptr, 1}).active > 0.0) awake.push_back(k);
     }
     // Ranges of the list stay valid unless it grows.
-    if (awake.size() == before) return false;
-    problem.awake = std::move(awake);
-    return true;
+    if (awake.size() != before) problem.awake = std::move(awake);
+    return problem.halo.any(problem.awake.size() != before);
 }
 
 void applyImpulse(Body& a, Body& b, const double n[3], const double delta[3])

@@ -6,6 +6,7 @@
 
 #include "contactSettings.hpp"
 #include "contactBlock.hpp"
+#include "halo.hpp"
 #include "stepReport.hpp"
 
 #include <string>
@@ -22,6 +23,9 @@ struct ContactProblem
     std::vector<ContactBlock>& blocks;
     /// Blocks worth sweeping, ascending; the others carry no impulse, and a solver adds those that turn out to.
     std::vector<std::uint32_t>& awake;
+    /// Blocks from this one on join grains of two ranks; the halo makes their bodies' velocities one.
+    std::size_t interfaceBlock;
+    Halo& halo;
     const SweepKernels& kernels;
     bool isFrictional;
     double deltaT;        ///< [s]
@@ -32,7 +36,16 @@ struct ContactProblem
 
     BlockRange all() const { return {nullptr, blocks.size()}; }
     BlockRange active() const { return {awake.data(), awake.size()}; }
+    /// The active blocks whose bodies no other rank moves meanwhile.
+    BlockRange inner() const;
+    BlockRange interface() const;
 };
+
+/// Sweeps over the inner active blocks of all ranks side by side, then over those between ranks. Returns sums over all ranks.
+DefectSums sweepActive(ContactProblem& problem);
+
+/// Replaces the impulses of the active blocks (see ReplaceFunction) and moves the velocities along, on all ranks.
+void replaceImpulses(ContactProblem& problem, std::vector<double>& target);
 
 /// Stop rule, absolute (grains.md sections 2 and 9): rms defect <= tolerance vs and largest defect dt <= displacementTolerance d, with
 /// vs = max(speed scale of the forces, 1e-3 rms defect of the first pass, 1e-3 dead band/dt).
@@ -57,9 +70,10 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
 
 /// The residual every solver is judged by: natural map in velocity units,
 /// e_n = W_nn |r_n - max(0, r_n - (u_n + b)/W_nn)|, e_t = W_tt |r_t - Proj_{mu r_n}(r_t - u_t/W_tt)|; rms over active contacts, and max.
-DefectSums residual(const ContactProblem& problem);
+/// Where n ranks move a body, W is taken n times, which can only make e larger.
+DefectSums residual(ContactProblem& problem);
 
-/// Wakes sleeping blocks in which a contact should carry an impulse at the present velocities. Returns whether there were any.
+/// Wakes sleeping blocks in which a contact should carry an impulse at the present velocities. Returns whether there were any, on any rank.
 bool wakeBlocks(ContactProblem& problem);
 
 /// Root mean square over the active contacts [m/s].

@@ -82,7 +82,7 @@ void startWarm(ContactList& list, std::size_t slot, double impulseScale)
 void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT)
 {
     const double kappa = grains.shape.inertiaFactor();
-    for (int body = 0; body < list.staticBody(); ++body)
+    for (int body = 0; body < list.owned(); ++body)
     {
         const int i = list.grainOf[body];
         const Vec3 spin = grains.radius[i]*grains.omega[i];
@@ -106,6 +106,7 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
         setBody(list.bodies[body], momentum/effectiveMass, 1.0/effectiveMass, s, 1.0/effectiveInertia);
     }
     setBody(list.bodies.back(), Vec3::Zero(), 0.0, Vec3::Zero(), 0.0);
+    list.halo.giveBodies(list.bodies);
 }
 
 void prepareSlots(ContactList& list, double deltaT, double deadBand, double impulseScale)
@@ -119,50 +120,59 @@ void prepareSlots(ContactList& list, double deltaT, double deadBand, double impu
     {
         for (int lane = 0; lane < blockLanes; ++lane) startWarm(list, k*blockLanes + lane, impulseScale);
     }
+    list.halo.takeVelocities(list.bodies);
 }
 
 ContactForces sumContactForces(const ContactList& list, const Scene& scene, double deltaT)
 {
-    ContactForces sums;
-    sums.force.assign(scene.grains.size(), Vec3::Zero());
-    sums.torque.assign(scene.grains.size(), Vec3::Zero());
-    sums.wall.assign(scene.walls.patches.size(), Vec3::Zero());
+    std::vector<Vec3> force(list.bodies.size(), Vec3::Zero()), torque = force;
+    std::vector<Vec3> wall(scene.walls.patches.size(), Vec3::Zero());
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (!list.isUsed(slot)) continue;
         const Vec3 r = impulse(list, slot);
         if (r == Vec3::Zero()) continue;
         const ContactBlock& block = list.blocks[slot/blockLanes];
-        const Vec3 force = r/deltaT;
-        const Vec3 moment = normal(list, slot).cross(force);
-        const int a = list.grainOf[block.a[slot % blockLanes]];
-        sums.force[a] += force;
-        sums.torque[a] -= scene.grains.radius[a]*moment;
+        const Vec3 onA = r/deltaT;
+        const Vec3 moment = normal(list, slot).cross(onA);
+        const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
+        force[a] += onA;
+        torque[a] -= list.radius[a]*moment;
         if (list.wall[slot] >= 0)
         {
-            sums.wall[scene.walls.regions[list.wall[slot]].patch] -= force;
+            wall[scene.walls.regions[list.wall[slot]].patch] -= onA;
             continue;
         }
-        const int b = list.grainOf[block.b[slot % blockLanes]];
-        sums.force[b] -= force;
-        sums.torque[b] -= scene.grains.radius[b]*moment;
+        force[b] -= onA;
+        torque[b] -= list.radius[b]*moment;
+    }
+    list.halo.take(force);
+    list.halo.take(torque);
+    if (!wall.empty()) list.halo.sum(wall.front().data(), 3*static_cast<int>(wall.size()));
+
+    ContactForces sums{std::vector<Vec3>(list.owned()), std::vector<Vec3>(list.owned()), std::move(wall)};
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        sums.force[list.grainOf[body]] = force[body];
+        sums.torque[list.grainOf[body]] = torque[body];
     }
     return sums;
 }
 
 bool coversMotion(const ContactList& list, double deltaT)
 {
-    for (int body = 0; body < list.staticBody(); ++body)
+    bool isCovered = true;
+    for (int body = 0; body < list.owned() && isCovered; ++body)
     {
         const Vec3 travel = list.position[body] - list.positionAtBuild[body] + deltaT*Vec3(list.bodies[body].v);
-        if (!(travel.squaredNorm() <= list.reach[body]*list.reach[body])) return false;
+        isCovered = travel.squaredNorm() <= list.reach[body]*list.reach[body];
     }
-    return true;
+    return !list.halo.any(!isCovered);
 }
 
 void copyVelocities(const ContactList& list, Grains& grains)
 {
-    for (int body = 0; body < list.staticBody(); ++body)
+    for (int body = 0; body < list.owned(); ++body)
     {
         const int i = list.grainOf[body];
         grains.velocity[i] = Vec3(list.bodies[body].v);
@@ -173,7 +183,7 @@ void copyVelocities(const ContactList& list, Grains& grains)
 double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, double deltaT, bool isRotating)
 {
     double largest2 = 0.0;
-    for (int body = 0; body < list.staticBody(); ++body)
+    for (int body = 0; body < list.owned(); ++body)
     {
         const int i = list.grainOf[body];
         const Vec3 dx = deltaT*Vec3(list.bodies[body].v);
@@ -189,24 +199,23 @@ double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, dou
             grains.orientation[i] = (rotation*grains.orientation[i]).normalized();
         }
     }
-    return std::sqrt(largest2);
+    list.halo.give(list.position);
+    return std::sqrt(list.halo.max(largest2));
 }
 
 OverlapStatistics measureOverlap(const ContactList& list, double diameter)
 {
-    OverlapStatistics overlap;
-    double sum = 0.0;
-    std::size_t loaded = 0;
+    double deepest = 0.0, sums[2] = {0.0, 0.0};
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (!list.isUsed(slot) || impulse(list, slot) == Vec3::Zero()) continue;
         const double depth = std::max(0.0, -list.gap[slot])/diameter;
-        overlap.max = std::max(overlap.max, depth);
-        sum += depth;
-        ++loaded;
+        deepest = std::max(deepest, depth);
+        sums[0] += depth;
+        sums[1] += 1.0;
     }
-    overlap.mean = loaded > 0 ? sum/loaded : 0.0;
-    return overlap;
+    list.halo.sum(sums, 2);
+    return {list.halo.max(deepest), sums[1] > 0.0 ? sums[0]/sums[1] : 0.0};
 }
 
 bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, double threshold, double deadBand)
@@ -228,7 +237,7 @@ bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, 
         block.bias[lane] = isRebounding ? -list.restitution[slot]*approach : isClosed ? 0.0 : unreachable;
         anyRebound = anyRebound || isRebounding;
     }
-    return anyRebound;
+    return list.halo.any(anyRebound);
 }
 
 } // namespace nscd

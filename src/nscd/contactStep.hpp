@@ -21,7 +21,7 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
 /// Warm start: impulses times impulseScale = dt_new/dt_old, tangential part turned into the new tangent plane and friction disc.
 void prepareSlots(ContactList& list, double deltaT, double deadBand, double impulseScale);
 
-/// Sums the impulses: force on each grain [N], torque on it [N m], force of the grains on each wall patch [N].
+/// Sums the impulses: force on each own grain [N], torque on it [N m], force of all ranks' grains on each wall patch [N].
 struct ContactForces
 {
     std::vector<Vec3> force;

@@ -36,7 +36,7 @@ struct GrainDynamics::Implementation
     Walls walls;
     PeriodicBox box;
     ContactSettings settings;
-    std::shared_ptr<const Exchange> exchange;
+    std::shared_ptr<Exchange> exchange;
 
     ContactSolver solve;
     SweepKernels kernels;
@@ -47,11 +47,15 @@ struct GrainDynamics::Implementation
     bool isListStale = true;
     double deltaT = 0.0;          // of the step begun
     double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
-    std::vector<PairImpulse> restored;
+    ImpulseRecord restored;
     ContactForces forces;
     StepTimes times;
 
     Scene scene() const { return {grains, materials, walls, box}; }
+    ContactProblem makeProblem(double speedScale)
+    {
+        return {list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter};
+    }
     double deadBand() const { return settings.deadBand*diameter; }
 
     void measureDiameter();
@@ -66,8 +70,9 @@ struct GrainDynamics::Implementation
 
 void GrainDynamics::Implementation::measureDiameter()
 {
-    if (grains.size() == 0) return;
-    diameter = 2.0*std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0)/grains.size();
+    double sums[2] = {2.0*std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0), static_cast<double>(grains.size())};
+    exchange->sum(sums, 2);
+    if (sums[1] > 0.0) diameter = sums[0]/sums[1];
 }
 
 void GrainDynamics::Implementation::clearForces()
@@ -79,31 +84,32 @@ void GrainDynamics::Implementation::clearForces()
 void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity)
 {
     const Stopwatch watch(times.findPairs);
-    std::vector<PairImpulse> impulses = std::move(restored);
-    restored.clear();
-    if (impulses.empty()) impulses = collectImpulses(list);
+    const ImpulseRecord impulses = isListStale ? std::move(restored) : collectImpulses(list);
+    restored = ImpulseRecord();
 
     // A slow grain may be hit, and be as fast as the others at the end of the step.
-    double sum2 = 0.0;
-    for (const Vec3& v : velocity) sum2 += v.squaredNorm();
-    const double commonSpeed = std::sqrt(sum2/std::max<std::size_t>(1, velocity.size()));
+    double sums[2] = {0.0, static_cast<double>(velocity.size())};
+    for (const Vec3& v : velocity) sums[0] += v.squaredNorm();
+    exchange->sum(sums, 2);
+    const double commonSpeed = std::sqrt(sums[0]/std::max(1.0, sums[1]));
     std::vector<double> reach(grains.size());
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         reach[i] = 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
     }
-    list = buildContactList(scene(), reach);
+    list = buildContactList(scene(), reach, diameter, *exchange);
     updateGeometry(list, scene());
-    assignImpulses(list, impulses);
+    assignImpulses(list, impulses, *exchange);
     isListStale = false;
 }
 
 double GrainDynamics::Implementation::measureMotion(double speedScale) const
 {
-    if (!(speedScale > 0.0) || grains.size() == 0) return 1.0;
-    double sum = 0.0;
-    for (const Vec3& v : grains.velocity) sum += std::min(1.0, v.norm()/speedScale);
-    return sum/grains.size();
+    if (!(speedScale > 0.0)) return 1.0;
+    double sums[2] = {0.0, static_cast<double>(grains.size())};
+    for (const Vec3& v : grains.velocity) sums[0] += std::min(1.0, v.norm()/speedScale);
+    exchange->sum(sums, 2);
+    return sums[1] > 0.0 ? sums[0]/sums[1] : 1.0;
 }
 
 SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external)
@@ -115,7 +121,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
         impulseDeltaT = deltaT;
     }
     const Stopwatch watch(times.solveContacts);
-    ContactProblem problem{list.bodies, list.blocks, list.awake, kernels, isFrictional, deltaT, external.speedScale, diameter};
+    ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
     return solve(problem, settings);
 }
@@ -128,7 +134,7 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
     {
         if (attempt == maxListRebuilds) throw std::runtime_error("contact list cannot follow the grains; use a smaller time step");
         std::vector<Vec3> velocity(grains.size());
-        for (int body = 0; body < list.staticBody(); ++body)
+        for (int body = 0; body < list.owned(); ++body)
         {
             velocity[list.grainOf[body]] = (attempt + 1.0)*Vec3(list.bodies[body].v);
         }
@@ -150,7 +156,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
 
     const std::vector<ContactBlock> beforeShock = list.blocks;
-    ContactProblem problem{list.bodies, list.blocks, list.awake, kernels, isFrictional, deltaT, external.speedScale, diameter};
+    ContactProblem problem = makeProblem(external.speedScale);
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
@@ -173,7 +179,7 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
     report.correctionSweeps = correctOverlaps(list, scene(), settings.overlapTolerance*diameter, deadBand());
     if (report.correctionSweeps > 0)
     {
-        for (int body = 0; body < list.staticBody(); ++body)
+        for (int body = 0; body < list.owned(); ++body)
         {
             grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
         }
@@ -186,7 +192,7 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
 GrainDynamics::GrainDynamics
 (
     Grains grains, Materials materials, Walls walls, PeriodicBox box,
-    ContactSettings settings, std::shared_ptr<const Exchange> exchange
+    ContactSettings settings, std::shared_ptr<Exchange> exchange
 )
 :
     self_(std::make_unique<Implementation>())
@@ -197,6 +203,10 @@ GrainDynamics::GrainDynamics
     self_->box = box;
     self_->settings = settings;
     self_->exchange = std::move(exchange);
+    if (self_->exchange->isParallel() && settings.solver != "NLGS")
+    {
+        throw invalidValue("contact solver", settings.solver, "NLGS where there are several ranks");
+    }
     self_->solve = findContactSolver(settings.solver);
     self_->kernels = chooseKernels(settings.vectorPath.c_str());
     self_->isFrictional = self_->materials.anyFriction();
@@ -217,6 +227,23 @@ void GrainDynamics::setGrains(Grains grains)
     restore(impulses, lastDeltaT);
 }
 
+std::vector<double> GrainDynamics::loads() const
+{
+    const ContactList& list = self_->list;
+    std::vector<double> load(self_->grains.size(), 1.0);
+    if (self_->isListStale) return load;
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot)) continue;
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        for (std::int32_t body : {block.a[slot % blockLanes], block.b[slot % blockLanes]})
+        {
+            if (body < list.owned()) load[list.grainOf[body]] += 0.5;
+        }
+    }
+    return load;
+}
+
 void GrainDynamics::beginStep(double deltaT)
 {
     if (!(deltaT > 0.0) || !std::isfinite(deltaT)) throw invalidValue("time step", deltaT, "a finite value > 0 s");
@@ -226,14 +253,14 @@ void GrainDynamics::beginStep(double deltaT)
     if (self.isListStale || !coversMotion(self.list, deltaT)) self.rebuildList(self.grains.velocity);
 }
 
-bool GrainDynamics::hasContacts() const { return self_->list.candidates > 0; }
+bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->list.candidates > 0); }
 
 Prediction GrainDynamics::predict(const ExternalForces& external)
 {
     Prediction prediction;
     prediction.solve = self_->solveVelocities(external);
     prediction.velocity.resize(self_->grains.size());
-    for (int body = 0; body < self_->list.staticBody(); ++body)
+    for (int body = 0; body < self_->list.owned(); ++body)
     {
         prediction.velocity[self_->list.grainOf[body]] = Vec3(self_->list.bodies[body].v);
     }
@@ -243,13 +270,13 @@ Prediction GrainDynamics::predict(const ExternalForces& external)
 
 Prediction GrainDynamics::tryForces(const ExternalForces& external)
 {
-    const std::vector<PairImpulse> impulses = collectImpulses(self_->list);
+    const ImpulseRecord impulses = collectImpulses(self_->list);
     Prediction prediction = predict(external);
     for (std::size_t slot = 0; slot < self_->list.slots(); ++slot)
     {
         if (self_->list.isUsed(slot)) setImpulse(self_->list, slot, Vec3::Zero());
     }
-    assignImpulses(self_->list, impulses);
+    assignImpulses(self_->list, impulses, *self_->exchange);
     return prediction;
 }
 
@@ -260,12 +287,12 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     const double findPairsBefore = self.times.findPairs;
     report.solve = self.solveVelocities(external);
     report.listRebuilt = self.times.findPairs > findPairsBefore;
-    report.candidates = self.list.candidates;
+    report.candidates = static_cast<std::size_t>(self.list.halo.sum(static_cast<double>(self.list.candidates)));
 
     const Stopwatch watch(self.times.moveGrains);
     self.forces = sumContactForces(self.list, self.scene(), self.deltaT);
     report.maxDisplacement = moveGrains(self.list, self.grains, self.box, self.deltaT, self.isFrictional)/self.diameter;
-    if (!self.list.restitution.empty()) self.rebound(external, report.solve);
+    if (self.materials.anyRestitution()) self.rebound(external, report.solve);
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);
     return report;
@@ -282,7 +309,13 @@ std::vector<LoadedContact> GrainDynamics::contacts() const
     std::vector<LoadedContact> loaded;
     for (const SlotImpulse& entry : loadedSlots(list))
     {
-        loaded.push_back({entry.pair.a, entry.pair.b, normal(list, entry.slot), list.gap[entry.slot], entry.pair.impulse});
+        const ContactBlock& block = list.blocks[entry.slot/blockLanes];
+        const int lane = entry.slot % blockLanes;
+        const std::int64_t idB = entry.pair.b < 0 ? entry.pair.b : list.id[block.b[lane]];
+        loaded.push_back
+        (
+            {entry.pair.a, entry.pair.b, list.id[block.a[lane]], idB, normal(list, entry.slot), list.gap[entry.slot], entry.pair.impulse}
+        );
     }
     return loaded;
 }

@@ -52,7 +52,9 @@ struct StoredImpulse
 struct LoadedContact
 {
     int a;         ///< index of a grain
-    int b;         ///< index of a grain
+    int b;         ///< index of a grain; not less than the number of own grains for one of another rank
+    std::int64_t idA;
+    std::int64_t idB;
     Vec3 normal;   ///< unit, from b to a, at the present positions
     double gap;    ///< [m], at the present positions; negative: overlap
     Vec3 impulse;  ///< on a [N s], of the motion of the last step
@@ -60,19 +62,22 @@ struct LoadedContact
 
 /// Rigid grains with unilateral frictional contact, advanced one step at a time.
 /// Use per step: beginStep(dt); optionally predict(forces); advance(forces).
+/// With an Exchange of several ranks each holds its own grains, every call is collective, and figures are of all ranks.
 class GrainDynamics
 {
 public:
     GrainDynamics
     (
         Grains grains, Materials materials, Walls walls, PeriodicBox box,
-        ContactSettings settings, std::shared_ptr<const Exchange> exchange = std::make_shared<Exchange>()
+        ContactSettings settings, std::shared_ptr<Exchange> exchange = std::make_shared<Exchange>()
     );
     ~GrainDynamics();
 
     const Grains& grains() const;
     /// Replaces the grains, for whoever adds, removes or moves some; impulses follow the identities that are still there.
     void setGrains(Grains grains);
+    /// Load of each grain on contact search and solve: the candidates it has a share in, and one for itself.
+    std::vector<double> loads() const;
 
     /// Finds pairs and builds the contacts at the present positions for a step of length dt [s].
     /// Errors: std::invalid_argument for dt <= 0, coincident centers
@@ -98,12 +103,13 @@ public:
     /// Force of the grains on each wall patch over the last step [N].
     const std::vector<Vec3>& wallForce() const;
 
-    /// All contacts that carried an impulse in the last step; empty before the first one.
+    /// All contacts solved on this rank that carried an impulse in the last step; empty before the first one.
     std::vector<LoadedContact> contacts() const;
 
-    /// Impulses of all contacts that carry one. After this call the next step searches anew, as a restarted run does,
+    /// Impulses of all contacts solved on this rank that carry one. After this call the next step searches anew, as a restarted run does,
     /// so that a run that continues and one that restarts do the same to the bit.
     std::vector<StoredImpulse> checkpoint(double& lastDeltaT);
+    /// Each impulse on a rank that owns one of its grains; which one does not matter.
     void restore(const std::vector<StoredImpulse>& impulses, double lastDeltaT);
 
     /// Seconds spent in the parts of the step since construction.

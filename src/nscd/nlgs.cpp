@@ -22,15 +22,14 @@ bool isWakingDue(int sweeps) { return sweeps % 64 == 0 || (sweeps & (sweeps - 1)
 SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings)
 {
     SolveReport report;
-    if (problem.blocks.empty()) return report;
+    if (!problem.halo.any(!problem.blocks.empty())) return report;
 
-    const SweepFunction sweep = problem.isFrictional ? problem.kernels.sweep : problem.kernels.sweepFrictionless;
     StopRule rule{};
     int polishing = 0;
     SlowSolve slowSolve(problem);
     while (report.sweeps < settings.maxSweeps)
     {
-        const DefectSums sums = sweep(problem.bodies.data(), problem.blocks.data(), problem.active());
+        const DefectSums sums = sweepActive(problem);
         if (!std::isfinite(sums.sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
         if (++report.sweeps == 1) rule = makeStopRule(problem, settings, sums);
         const bool isFineEnough = rule.isPolished(sums) || polishing == settings.polishSweeps;

@@ -32,14 +32,14 @@ double deepestOverlap(const ContactList& list)
     {
         if (list.isUsed(slot)) deepest = std::max(deepest, -list.gap[slot]);
     }
-    return deepest;
+    return list.halo.max(deepest);
 }
 
-/// Contacts that overlap, or that a push of the deepest overlap could close.
-std::vector<Push> collectPushes(const ContactList& list, double deepest, double target)
+/// Contacts of the slots first..last that overlap, or that a push of the deepest overlap could close.
+std::vector<Push> collectPushes(const ContactList& list, std::size_t first, std::size_t last, double deepest, double target)
 {
     std::vector<Push> pushes;
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    for (std::size_t slot = first; slot < last; ++slot)
     {
         if (!list.isUsed(slot) || list.gap[slot] > 2.0*deepest) continue;
         const ContactBlock& block = list.blocks[slot/blockLanes];
@@ -67,6 +67,30 @@ double sweepPushes(std::vector<Push>& pushes, const std::vector<double>& mobilit
     return largest;
 }
 
+/// 1/m, and n/m of the bodies that n ranks push.
+std::vector<double> pushMobility(const ContactList& list)
+{
+    std::vector<double> mobility = list.inverseMass;
+    for (std::size_t body = list.owned(); body < mobility.size(); ++body) mobility[body] *= list.halo.parts(static_cast<int>(body));
+    mobility.push_back(0.0);
+    return mobility;
+}
+
+/// One sweep over pushes between two ranks. Returns the largest change [m].
+double sweepInterface(const ContactList& list, std::vector<Push>& pushes, const std::vector<double>& mobility, std::vector<Vec3>& shift)
+{
+    list.halo.give(shift);
+    const std::vector<Vec3> given(shift.begin() + list.owned(), shift.end());
+    const double largest = sweepPushes(pushes, mobility, shift);
+    for (std::size_t k = 0; k + 1 < given.size(); ++k)
+    {
+        Vec3& x = shift[list.owned() + k];
+        x = (x - given[k])/list.halo.parts(list.owned() + static_cast<int>(k));
+    }
+    list.halo.take(shift);
+    return largest;
+}
+
 } // namespace
 
 int correctOverlaps(ContactList& list, const Scene& scene, double tolerance, double deadBand)
@@ -74,22 +98,21 @@ int correctOverlaps(ContactList& list, const Scene& scene, double tolerance, dou
     const double deepest = deepestOverlap(list);
     if (!(deepest > tolerance)) return 0;
 
-    std::vector<double> mobility(list.bodies.size(), 0.0);
-    for (int body = 0; body < list.staticBody(); ++body)
-    {
-        const int i = list.grainOf[body];
-        if (!scene.grains.isFixed[i]) mobility[body] = 1.0/scene.grains.mass[i];
-    }
+    const std::vector<double> mobility = pushMobility(list);
     std::vector<Vec3> shift(list.bodies.size(), Vec3::Zero());
-    std::vector<Push> pushes = collectPushes(list, deepest, -0.5*deadBand);
+    const std::size_t interface = list.interfaceBlock*blockLanes;
+    std::vector<Push> inner = collectPushes(list, 0, interface, deepest, -0.5*deadBand);
+    std::vector<Push> between = collectPushes(list, interface, list.slots(), deepest, -0.5*deadBand);
     int sweeps = 0;
     double change = 0.0;
     do
     {
-        change = sweepPushes(pushes, mobility, shift);
+        change = sweepPushes(inner, mobility, shift);
+        if (list.halo.isParallel()) change = list.halo.max(std::max(change, sweepInterface(list, between, mobility, shift)));
     }
     while (++sweeps < maxCorrectionSweeps && change > 0.1*tolerance);
 
+    list.halo.give(shift);
     for (int body = 0; body < list.staticBody(); ++body) list.position[body] += shift[body];
     updateGeometry(list, scene);
     return sweeps;

@@ -62,7 +62,7 @@ bool SlowSolve::isSlow(const DefectSums& sums)
 
 void SlowSolve::start(int sweeps)
 {
-    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences);
+    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences, problem_.halo);
     endOfTerm_ = sweeps + probation;
     restart();
 }
@@ -71,7 +71,7 @@ void SlowSolve::forget()
 {
     queue_.reset();
     if (!anderson_) return;
-    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences);
+    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences, problem_.halo);
     restart();
 }
 
@@ -97,7 +97,7 @@ void SlowSolve::mix(const DefectSums& sums)
 {
     squaresBefore_ = sums.sumSquares;
     anderson_->mix(problem_.blocks, start_);
-    problem_.kernels.replaceImpulses(problem_.bodies.data(), problem_.blocks.data(), problem_.active(), start_.data());
+    replaceImpulses(problem_, start_);
     sinceMixing_ = 0;
     isMixed_ = true;
 }
@@ -105,7 +105,7 @@ void SlowSolve::mix(const DefectSums& sums)
 void SlowSolve::revert()
 {
     start_ = anderson_->image();
-    problem_.kernels.replaceImpulses(problem_.bodies.data(), problem_.blocks.data(), problem_.active(), start_.data());
+    replaceImpulses(problem_, start_);
     anderson_->forget();
     sinceMixing_ = 0;
     isMixed_ = false;
@@ -119,13 +119,14 @@ bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule
 
 int SlowSolve::solveLocally(int sweeps, const StopRule& rule)
 {
-    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, problem_.active());
-    const std::size_t used = queue_->slots().size();
+    // Between ranks there are only sweeps: each works on contacts that no other can disturb.
+    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, problem_.inner());
+    const std::size_t used = std::max<std::size_t>(1, queue_->slots().size());
     const double threshold = 0.5*rule.maxLimit;
     const std::size_t visits = queue_->work(queue_->defective(threshold), threshold, sweepsPerQueue*used);
     lastLocal_ = sweeps;
     restart();
-    return static_cast<int>((visits + used - 1)/used);
+    return static_cast<int>(problem_.halo.max(static_cast<double>((visits + used - 1)/used)));
 }
 
 } // namespace nscd

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Impulses by the identities of grains, which outlive indices.
+// Impulses that outlive their list: taken from one, given to the next.
 #pragma once
 
 #include "contactList.hpp"
@@ -10,9 +10,48 @@
 namespace nscd
 {
 
-std::vector<StoredImpulse> byIdentity(const std::vector<PairImpulse>& impulses, const Grains& grains);
+/// A contact's impulse by the grains' indices; `b` < 0 means wall region -1 - b.
+struct PairImpulse
+{
+    int a;
+    int b;
+    Vec3 impulse;  ///< on a [N s]
+};
 
-/// Impulses whose grains are not there any more are left out.
-std::vector<PairImpulse> byIndex(const std::vector<StoredImpulse>& impulses, const Grains& grains);
+/// A contact's impulse where one grain is another rank's.
+struct InterfaceImpulse
+{
+    int own;           ///< index of the own grain
+    std::int64_t id;   ///< of the other
+    Vec3 impulse;      ///< on the own one [N s]
+};
+
+struct ImpulseRecord
+{
+    std::vector<PairImpulse> inner;
+    std::vector<InterfaceImpulse> interface;
+
+    bool isEmpty() const { return inner.empty() && interface.empty(); }
+};
+
+/// A slot that carries an impulse.
+struct SlotImpulse
+{
+    std::size_t slot;
+    PairImpulse pair;   ///< ghosts by ContactList::grain
+};
+
+/// Impulses that are not zero.
+std::vector<SlotImpulse> loadedSlots(const ContactList& list);
+ImpulseRecord collectImpulses(const ContactList& list);
+
+/// Gives each candidate the impulse its pair had; of several images of a pair, the one best aligned with the impulse gets it.
+/// What another rank solves now is handed to it (collective).
+void assignImpulses(ContactList& list, const ImpulseRecord& record, Exchange& exchange);
+
+std::vector<StoredImpulse> byIdentity(const ImpulseRecord& record, const Grains& grains);
+
+/// Each entry's grains, one at least, are own ones; of other entries nothing is kept.
+ImpulseRecord byIndex(const std::vector<StoredImpulse>& impulses, const Grains& grains);
 
 } // namespace nscd

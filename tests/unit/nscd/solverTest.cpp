@@ -221,7 +221,8 @@ TEST(SweepKernels, mixTheSameOnEveryPath)
         if (!isAvailable(path)) continue;
         const nscd::SweepKernels wide = nscd::chooseKernels(path);
         RandomProblem problem(20);
-        nscd::AndersonAcceleration one(problem.all(), portable.addDifferences), other(problem.all(), wide.addDifferences);
+        const nscd::Halo alone;
+        nscd::AndersonAcceleration one(problem.all(), portable.addDifferences, alone), other(problem.all(), wide.addDifferences, alone);
         for (int mixing = 0; mixing < 2*nscd::mixingDepth; ++mixing)
         {
             std::vector<double> r = nscd::gatherImpulses(problem.blocks, problem.all()), same = r;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Which bodies could touch before the list is built again.
+#pragma once
+
+#include "contactBatching.hpp"
+#include "contactList.hpp"
+
+#include <vector>
+
+namespace nscd
+{
+
+/// Candidates among own bodies and between these and walls, ordered by body; and those with ghosts that this rank solves.
+struct Candidates
+{
+    std::vector<Candidate> inner;
+    std::vector<Candidate> interface;
+};
+
+/// `held` and the list's position, radius, reach are those of own bodies and of ghosts; walls have `b` = -1.
+/// Cost: linear in the number of bodies for any size distribution (one grid per octave of radius + reach).
+/// Errors: std::invalid_argument if a period is shorter than the largest grain
+Candidates findCandidates
+(
+    const ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene
+);
+
+/// Packs candidates into blocks, near ones into blocks of their own, so that blocks of far ones can be left out of sweeps.
+Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter);
+
+} // namespace nscd
