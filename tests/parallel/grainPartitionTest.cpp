@@ -109,6 +109,19 @@ TEST(GrainPartitionAlone, cutsALatticeBetweenPlanes)
     expectBalance(scene, weight, isExact ? 0.0 : 64.0);
 }
 
+TEST(GrainPartitionAlone, cutsOnTheSideOfAHeavyGrainThatIsNearerToTheShare)
+{
+    const int size = tree().all().size();
+    if (size % 2 != 0) GTEST_SKIP() << "halves are unequal";
+    SharedScene scene = randomScene(3, 0, Ownership::scattered, size);
+    for (int i = 0; i < 3; ++i) scene.all.position[i] = Vec3(i, 0, 0);
+    const std::vector<int> below = partition(scene, {3.0, 10.0, 1.0}), above = partition(scene, {1.0, 10.0, 3.0});
+    EXPECT_LT(below[0], size/2);
+    EXPECT_GE(below[1], size/2);
+    EXPECT_LT(above[1], size/2);
+    EXPECT_GE(above[2], size/2);
+}
+
 TEST(GrainPartitionAlone, grainsInOnePlaceStayTogether)
 {
     SharedScene scene = randomScene(50, 0, Ownership::scattered, tree().all().size());
