@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Boxes up the tree of ranks, grains down.
+#include "ghostSearch.hpp"
+
+#include "invalidValue.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+namespace nscd
+{
+
+namespace
+{
+
+using Box = Eigen::AlignedBox3d;
+
+/// A ghost on its way: GhostGrain without Eigen's types.
+struct Ball
+{
+    std::array<double, 3> position;
+    double radius, reach, inverseMass;
+    std::int64_t id;
+    int material, owner, index;
+    int padding = 0;  ///< no byte of a message is undefined
+};
+
+/// The boxes around the spheres of a group's halves, this rank's and the other.
+struct Halves
+{
+    Box own, other;
+};
+
+std::vector<Ball> ballsOf(int rank, const Grains& grains, const std::vector<double>& reach, const PeriodicBox& box)
+{
+    std::vector<Ball> balls;
+    balls.reserve(grains.nOwned);
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        const Vec3 x = box.wrap(grains.position[i]);
+        const double inverseMass = grains.isFixed[i] ? 0.0 : 1.0/grains.mass[i];
+        const int index = static_cast<int>(i);
+        balls.push_back
+        (
+            {{x[0], x[1], x[2]}, grains.radius[i], reach[i], inverseMass, grains.id[i], grains.material[i], rank, index}
+        );
+    }
+    return balls;
+}
+
+Box boxAround(const std::vector<Ball>& balls)
+{
+    Box around;
+    for (const Ball& ball : balls)
+    {
+        const Vec3 center(ball.position.data());
+        const Vec3 extent = Vec3::Constant(ball.radius + ball.reach);
+        around.extend(Box(center - extent, center + extent));
+    }
+    return around;
+}
+
+/// Distance of a coordinate, or of the nearest of its images, to an interval [m].
+double gapTo(double x, double lower, double upper, double period)
+{
+    const auto gap = [=](double image) { return std::max({0.0, lower - image, image - upper}); };
+    // One period to either side is enough: centers are wrapped, and an interval reaches beyond the box by a sphere at most, so
+    // that an image that is farther is not nearer.
+    return period > 0.0 ? std::min({gap(x), gap(x - period), gap(x + period)}) : gap(x);
+}
+
+bool meets(const Ball& ball, const Box& around, const PeriodicBox& box)
+{
+    if (around.isEmpty()) return false;
+    double distance2 = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+        const double gap = gapTo(ball.position[k], around.min()[k], around.max()[k], box.length[k]);
+        distance2 += gap*gap;
+    }
+    // Spheres that touch to the last digit meet, whatever the rounding of their box: true up to coordinates of 1e6 radii.
+    const double radius = (1.0 + 1e-9)*(ball.radius + ball.reach);
+    return distance2 <= radius*radius;
+}
+
+std::vector<Halves> boxesOfHalves(const RankTree& tree, Box own)
+{
+    using Corners = std::array<double, 6>;
+    std::vector<Halves> halves(tree.levels().size());
+    for (std::size_t l = halves.size(); l-- > 0;)
+    {
+        const Vec3 a = own.min(), b = own.max();
+        const Corners other = tellAcross(tree.levels()[l], Corners{a[0], a[1], a[2], b[0], b[1], b[2]});
+        halves[l] = {own, Box(Vec3(other.data()), Vec3(other.data() + 3))};
+        own = own.merged(halves[l].other);
+    }
+    return halves;
+}
+
+GhostGrain ghostOf(const Ball& ball)
+{
+    const Vec3 position(ball.position.data());
+    return {position, ball.radius, ball.reach, ball.inverseMass, ball.id, ball.material, ball.owner, ball.index};
+}
+
+/// Balls of other ranks that meet this rank's box: at the last level, this rank is a half.
+std::vector<Ball> routeDown(const RankTree& tree, const std::vector<Ball>& own, const PeriodicBox& box)
+{
+    const std::vector<Halves> halves = boxesOfHalves(tree, boxAround(own));
+    std::vector<Ball> received;
+    for (std::size_t l = 0; l < halves.size(); ++l)
+    {
+        const auto meetsOther = [&](const Ball& ball) { return meets(ball, halves[l].other, box); };
+        const auto missesOwn = [&](const Ball& ball) { return !meets(ball, halves[l].own, box); };
+        std::vector<Ball> sent;
+        std::copy_if(own.begin(), own.end(), std::back_inserter(sent), meetsOther);
+        std::copy_if(received.begin(), received.end(), std::back_inserter(sent), meetsOther);
+        received.erase(std::remove_if(received.begin(), received.end(), missesOwn), received.end());
+        const std::vector<Ball> arrived = sendAcross(tree.levels()[l], sent);
+        received.insert(received.end(), arrived.begin(), arrived.end());
+    }
+    return received;
+}
+
+} // namespace
+
+std::vector<GhostGrain> findGhosts
+(
+    const RankTree& tree, const Grains& owned, const std::vector<double>& reach, const PeriodicBox& box
+)
+{
+    if (reach.size() < owned.nOwned) throw invalidValue("number of reaches", reach.size(), "one for each grain owned");
+    std::vector<Ball> balls = routeDown(tree, ballsOf(tree.all().rank(), owned, reach, box), box);
+    const auto byOwner = [](const Ball& a, const Ball& b) { return std::tie(a.owner, a.index) < std::tie(b.owner, b.index); };
+    std::sort(balls.begin(), balls.end(), byOwner);
+
+    std::vector<GhostGrain> ghosts;
+    ghosts.reserve(balls.size());
+    std::transform(balls.begin(), balls.end(), std::back_inserter(ghosts), ghostOf);
+    return ghosts;
+}
+
+} // namespace nscd

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Packing of grains for their new owners.
+#include "migration.hpp"
+
+#include "invalidValue.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace nscd
+{
+
+namespace
+{
+
+using Plain3 = std::array<double, 3>;
+using Plain4 = std::array<double, 4>;
+
+/// All properties of a grain; its Eigen types as plain numbers.
+struct GrainRecord
+{
+    Plain3 position, velocity, omega;
+    Plain4 orientation;
+    double radius, mass;
+    std::int64_t id;
+    std::int32_t material, isFixed;
+};
+
+Plain3 plain(const Vec3& v) { return {v[0], v[1], v[2]}; }
+Plain4 plain(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+Vec3 vectorOf(const Plain3& p) { return Vec3(p.data()); }
+Quaternion quaternionOf(const Plain4& p) { return Quaternion(p[0], p[1], p[2], p[3]); }
+
+GrainRecord recordOf(const Grains& g, std::size_t i)
+{
+    return
+    {
+        plain(g.position[i]), plain(g.velocity[i]), plain(g.omega[i]), plain(g.orientation[i]), g.radius[i], g.mass[i], g.id[i],
+        g.material[i], g.isFixed[i]
+    };
+}
+
+void append(const GrainRecord& record, Grains& grains)
+{
+    grains.position.push_back(vectorOf(record.position));
+    grains.velocity.push_back(vectorOf(record.velocity));
+    grains.omega.push_back(vectorOf(record.omega));
+    grains.orientation.push_back(quaternionOf(record.orientation));
+    grains.radius.push_back(record.radius);
+    grains.mass.push_back(record.mass);
+    grains.material.push_back(record.material);
+    grains.id.push_back(record.id);
+    grains.isFixed.push_back(static_cast<std::uint8_t>(record.isFixed));
+}
+
+} // namespace
+
+Migration::Migration(const Communicator& all, std::vector<int> destination)
+:
+    all_(all),
+    destination_(std::move(destination))
+{
+    for (int rank : destination_)
+    {
+        if (rank < 0 || rank >= all_.size()) throw invalidValue("destination", rank, "0 to " + std::to_string(all_.size() - 1));
+    }
+}
+
+void Migration::checkNumber(std::size_t number) const
+{
+    if (number != destination_.size()) throw invalidValue("number of values to move", number, std::to_string(destination_.size()));
+}
+
+std::vector<Vec3> Migration::move(const std::vector<Vec3>& values) const
+{
+    std::vector<Plain3> sent;
+    for (const Vec3& value : values) sent.push_back(plain(value));
+    std::vector<Vec3> received;
+    for (const Plain3& value : move(sent)) received.push_back(vectorOf(value));
+    return received;
+}
+
+std::vector<Quaternion> Migration::move(const std::vector<Quaternion>& values) const
+{
+    std::vector<Plain4> sent;
+    for (const Quaternion& value : values) sent.push_back(plain(value));
+    std::vector<Quaternion> received;
+    for (const Plain4& value : move(sent)) received.push_back(quaternionOf(value));
+    return received;
+}
+
+Grains Migration::moveGrains(const Grains& grains) const
+{
+    std::vector<GrainRecord> sent;
+    for (std::size_t i = 0; i < grains.nOwned; ++i) sent.push_back(recordOf(grains, i));
+    Grains received;
+    received.shape = grains.shape;
+    for (const GrainRecord& record : move(sent)) append(record, received);
+    received.nOwned = received.size();
+    return received;
+}
+
+} // namespace nscd

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Grains, and whatever belongs to them, on their way to new owners.
+#pragma once
+
+#include "communicator.hpp"
+#include "grains.hpp"
+
+namespace nscd
+{
+
+/// One move of the own grains to other ranks, or to their own: all that belongs to a grain arrives in one order, sorted by the rank
+/// it came from and its index there. All functions are collective.
+/// Cost: one message per rank concerned and a barrier for each function.
+class Migration
+{
+public:
+    /// `destination`: a rank for each own grain. `all` must live as long as this.
+    /// Errors: std::invalid_argument for a destination that is not a rank
+    Migration(const Communicator& all, std::vector<int> destination);
+
+    /// Moves one value per own grain.
+    /// Errors: std::invalid_argument for another number of values
+    template<class T>
+    std::vector<T> move(const std::vector<T>& values) const
+    {
+        checkNumber(values.size());
+        return valuesOf<T>(all_.exchange(messagesByRank(values, destination_)));
+    }
+    std::vector<Vec3> move(const std::vector<Vec3>& values) const;
+    std::vector<Quaternion> move(const std::vector<Quaternion>& values) const;
+
+    /// Moves the owned grains with all their properties, by one message per pair of ranks.
+    /// Ensures:  all that return are owned; the shape is this rank's
+    Grains moveGrains(const Grains& grains) const;
+
+private:
+    void checkNumber(std::size_t number) const;
+
+    const Communicator& all_;
+    std::vector<int> destination_;
+};
+
+} // namespace nscd

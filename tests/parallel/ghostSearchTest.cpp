@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Ghosts against brute force over all grains.
+#include "ghostSearch.hpp"
+#include "sharedScene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <tuple>
+
+using namespace nscd;
+
+namespace
+{
+
+const RankTree& tree()
+{
+    static const RankTree* const theTree = new RankTree{Communicator()};  // lives on: MPI ends before static objects do
+    return *theTree;
+}
+
+/// Calls `visit` with a grain's center and all its images.
+template<class Visit>
+void visitImages(const PeriodicBox& box, const Vec3& center, Visit visit)
+{
+    const auto reachOf = [&](int axis) { return box.isPeriodic(axis) ? 2 : 0; };
+    for (int a = -reachOf(0); a <= reachOf(0); ++a)
+    {
+        for (int b = -reachOf(1); b <= reachOf(1); ++b)
+        {
+            for (int c = -reachOf(2); c <= reachOf(2); ++c) visit(Vec3(center + box.length.cwiseProduct(Vec3(a, b, c))));
+        }
+    }
+}
+
+double size(const SharedScene& scene, int i) { return scene.all.radius[i] + scene.reach[i]; }
+
+bool meets(const SharedScene& scene, int i, int j)
+{
+    bool isMet = false;
+    visitImages(scene.box, scene.box.wrap(scene.all.position[i]), [&](const Vec3& image)
+    {
+        const double distance = (image - scene.box.wrap(scene.all.position[j])).norm();
+        isMet = isMet || distance <= size(scene, i) + size(scene, j);
+    });
+    return isMet;
+}
+
+bool meetsBox(const SharedScene& scene, int i, const Eigen::AlignedBox3d& around)
+{
+    bool isMet = false;
+    visitImages(scene.box, scene.box.wrap(scene.all.position[i]), [&](const Vec3& image)
+    {
+        isMet = isMet || around.exteriorDistance(image) <= (1.0 + 1e-6)*size(scene, i);
+    });
+    return isMet;
+}
+
+Eigen::AlignedBox3d boxAround(const SharedScene& scene, const std::vector<int>& members)
+{
+    Eigen::AlignedBox3d around;
+    for (int j : members)
+    {
+        const Vec3 x = scene.box.wrap(scene.all.position[j]), extent = Vec3::Constant(size(scene, j));
+        around.extend(Eigen::AlignedBox3d(x - extent, x + extent));
+    }
+    return around;
+}
+
+void expectGrain(const SharedScene& scene, int i, const GhostGrain& ghost)
+{
+    EXPECT_EQ(ghost.owner, scene.owner[i]);
+    EXPECT_EQ(scene.of(ghost.owner)[ghost.index], i);
+    EXPECT_EQ(ghost.position, scene.box.wrap(scene.all.position[i]));
+    EXPECT_EQ(ghost.radius, scene.all.radius[i]);
+    EXPECT_EQ(ghost.reach, scene.reach[i]);
+    EXPECT_EQ(ghost.inverseMass, scene.all.isFixed[i] ? 0.0 : 1.0/scene.all.mass[i]);
+    EXPECT_EQ(ghost.material, scene.all.material[i]);
+}
+
+/// All that meet a grain of this rank are there, none that misses its box, none twice, none of its own.
+void expectGhosts(const SharedScene& scene, const std::vector<GhostGrain>& ghosts)
+{
+    const int rank = tree().all().rank();
+    const std::vector<int> own = scene.of(rank);
+    const Eigen::AlignedBox3d around = boxAround(scene, own);
+    std::map<std::int64_t, const GhostGrain*> found;
+    for (const GhostGrain& ghost : ghosts) EXPECT_TRUE(found.emplace(ghost.id, &ghost).second) << ghost.id << " comes twice";
+    for (std::size_t i = 0; i < scene.owner.size(); ++i)
+    {
+        const auto ghost = found.find(scene.all.id[i]);
+        const bool isFound = ghost != found.end();
+        if (isFound) expectGrain(scene, i, *ghost->second);
+        if (scene.owner[i] == rank) { EXPECT_FALSE(isFound); }
+        else if (isFound) { EXPECT_TRUE(meetsBox(scene, i, around)); }
+        else
+        {
+            for (int j : own) EXPECT_FALSE(meets(scene, i, j)) << "grain " << i << " meets " << j;
+        }
+    }
+}
+
+std::vector<GhostGrain> ghostsOf(const SharedScene& scene)
+{
+    const int rank = tree().all().rank();
+    return findGhosts(tree(), scene.grainsOf(rank), scene.reachOf(rank), scene.box);
+}
+
+std::vector<std::tuple<int, int>> keys(const std::vector<GhostGrain>& ghosts)
+{
+    std::vector<std::tuple<int, int>> found;
+    for (const GhostGrain& ghost : ghosts) found.emplace_back(ghost.owner, ghost.index);
+    return found;
+}
+
+class GhostSearch : public testing::TestWithParam<std::tuple<int, Ownership>>
+{
+};
+
+} // namespace
+
+TEST_P(GhostSearch, findsWhatBruteForceFinds)
+{
+    const auto [periodicAxes, ownership] = GetParam();
+    for (unsigned seed : {1, 2, 3})
+    {
+        const SharedScene scene = randomScene(300, periodicAxes, ownership, tree().all().size(), seed);
+        const std::vector<GhostGrain> ghosts = ghostsOf(scene);
+        expectGhosts(scene, ghosts);
+        const auto order = keys(ghosts);
+        EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+        EXPECT_EQ(keys(ghostsOf(scene)), order) << "the same from run to run";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P
+(
+    Scenes, GhostSearch,
+    testing::Combine
+    (
+        testing::Values(0, 1, 3),
+        testing::Values(Ownership::slabs, Ownership::scattered, Ownership::evenRanks, Ownership::lastRank)
+    )
+);
+
+TEST(GhostSearchAlone, findsSpheresThatTouchToTheLastDigit)
+{
+    SharedScene scene;
+    const int count = 40;
+    scene.box.length[0] = 0.1*count;
+    for (int i = 0; i < count; ++i)
+    {
+        scene.all.add({0.1*i, 1e3, -1e3}, 0.05, 2500.0, 0, i);
+        scene.reach.push_back(0.0);
+        scene.owner.push_back(ownerOf(Ownership::slabs, (i + 0.5)/count, 0, tree().all().size()));
+    }
+    const std::vector<GhostGrain> ghosts = ghostsOf(scene);
+    EXPECT_EQ(ghosts.size(), tree().all().size() > 1 ? 2u : 0u);
+}
+
+TEST(GhostSearchAlone, noGrainsNoGhosts)
+{
+    EXPECT_TRUE(ghostsOf(SharedScene()).empty());
+}
+
+TEST(GhostSearchAlone, refusesAMissingReach)
+{
+    const Grains grains = randomScene(3, 0, Ownership::lastRank, 1).grainsOf(0);
+    EXPECT_THROW(findGhosts(tree(), grains, {0.1, 0.1}, PeriodicBox()), std::invalid_argument);
+}
