@@ -33,18 +33,25 @@ public:
 
     NaturalMap operator()(const nscd::Grains& before, const nscd::GrainDynamics& after)
     {
+        return operator()(before, after.grains(), after.contacts());
+    }
+
+    /// Contacts by the grains' identities, which are their indices here.
+    NaturalMap operator()(const nscd::Grains& before, const nscd::Grains& after, const std::vector<nscd::LoadedContact>& contacts)
+    {
         impulses_.clear();
-        for (const nscd::LoadedContact& c : after.contacts())
+        for (const nscd::LoadedContact& c : contacts)
         {
-            const bool isSwapped = c.b >= 0 && c.b < c.a;
-            impulses_[isSwapped ? std::pair(c.b, c.a) : std::pair(c.a, c.b)] = isSwapped ? Vec3(-c.impulse) : c.impulse;
+            const int a = static_cast<int>(c.idA), b = static_cast<int>(c.idB);
+            const bool isSwapped = b >= 0 && b < a;
+            impulses_[isSwapped ? std::pair(b, a) : std::pair(a, b)] = isSwapped ? Vec3(-c.impulse) : c.impulse;
         }
         sum2_ = 0.0;
         result_ = NaturalMap();
         for (int i = 0; i < static_cast<int>(before.size()); ++i)
         {
-            for (int j = i + 1; j < static_cast<int>(before.size()); ++j) judgePair(before, after.grains(), i, j);
-            for (std::size_t w = 0; w < scene_.walls.regions.size(); ++w) judgePlane(before, after.grains(), i, static_cast<int>(w));
+            for (int j = i + 1; j < static_cast<int>(before.size()); ++j) judgePair(before, after, i, j);
+            for (std::size_t w = 0; w < scene_.walls.regions.size(); ++w) judgePlane(before, after, i, static_cast<int>(w));
         }
         result_.norm = std::sqrt(sum2_);
         result_.rms = result_.loaded > 0 ? std::sqrt(sum2_/result_.loaded) : 0.0;

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Grains on several ranks do what they do on one, whatever the cut.
+#include "rankedScene.hpp"
+
+#include "unit/nscd/naturalMap.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace scenes;
+
+namespace
+{
+
+constexpr double deltaT = 1e-3, radius = 0.01, friction = 0.5;
+
+int ranks()
+{
+    int size = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    return size;
+}
+
+int cell(double x, double width) { return std::max(0, static_cast<int>(std::floor(x/width))); }
+
+struct Cut
+{
+    const char* name;
+    OwnerOf ownerOf;
+};
+
+/// A bed is 8 lattice spacings wide.
+std::vector<Cut> cuts()
+{
+    const double spacing = 2.3*radius, width = 8*spacing;
+    return
+    {
+        {"halves along x", [=](const Vec3& x, std::int64_t) { return std::min(ranks() - 1, cell(x[0], width/ranks())); }},
+        {"corners in the bed", [=](const Vec3& x, std::int64_t)
+            { return (2*std::min(1, cell(x[0], width/2)) + std::min(1, cell(x[1], width/2)) + 4*cell(x[2], 4*spacing)) % ranks(); }},
+        {"slabs one grain thick", [=](const Vec3& x, std::int64_t) { return cell(x[0], spacing) % ranks(); }},
+        {"layers one grain thick", [=](const Vec3& x, std::int64_t) { return cell(x[2], spacing) % ranks(); }},
+        {"scattered", [](const Vec3&, std::int64_t id) { return static_cast<int>((id*7919) % ranks()); }},
+        {"all on the last rank", [](const Vec3&, std::int64_t) { return ranks() - 1; }}
+    };
+}
+
+/// A heap that has come to rest, with the impulses that hold it.
+struct RestingHeap
+{
+    Scene scene = heap(3, 8, 9, radius, 0.7, friction);
+    std::vector<nscd::StoredImpulse> impulses;
+
+    RestingHeap()
+    {
+        auto dynamics = scene.build(nscd::ContactSettings());
+        for (int k = 0; k < 800; ++k) stepDamped(dynamics, scene.g, deltaT);
+        scene.grains = dynamics.grains();
+        double lastDeltaT = 0.0;
+        impulses = dynamics.checkpoint(lastDeltaT);
+    }
+};
+
+const RestingHeap& restingHeap()
+{
+    static const RestingHeap heap;
+    return heap;
+}
+
+/// Impulses of the grains that a rank owns by their first.
+std::vector<nscd::StoredImpulse> ofRank(const std::vector<nscd::StoredImpulse>& impulses, const nscd::Grains& own)
+{
+    std::vector<nscd::StoredImpulse> mine;
+    for (const nscd::StoredImpulse& entry : impulses)
+    {
+        for (std::int64_t id : own.id)
+        {
+            if (id == entry.idA) mine.push_back(entry);
+        }
+    }
+    return mine;
+}
+
+double meanDiameter(const nscd::Grains& grains)
+{
+    double sum = 0.0;
+    for (double r : grains.radius) sum += 2.0*r;
+    return sum/grains.size();
+}
+
+double worstDifference(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
+{
+    double worst = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, (a[i] - b[i]).norm());
+    return worst;
+}
+
+} // namespace
+
+TEST(Ranks, anyCutMeetsTheTolerance)
+{
+    const Scene& scene = restingHeap().scene;
+    nscd::ContactSettings settings;
+    settings.tolerance = 1e-2;
+    settings.maxSweeps = 3000;
+    auto serial = scene.build(settings);
+    const nscd::StepReport alone = step(serial, scene.g, deltaT);
+    ASSERT_TRUE(alone.solve.converged);
+    for (const Cut& cut : cuts())
+    {
+        RankedScene run(scene, settings, cut.ownerOf);
+        const nscd::Grains before = run.gatherGrains();
+        const nscd::StepReport report = step(run.dynamics(), scene.g, deltaT);
+        const NaturalMap map = Judge(scene, friction, settings.deadBand*meanDiameter(scene.grains), deltaT)(before, run.gatherGrains(), run.gatherContacts());
+        const int interface = run.interfaceContacts();
+        if (run.exchange().rank() == 0)
+        {
+            std::printf("   %-24s %5d of %5zu contacts between ranks, %4d sweeps (one rank %d), residual %.1e, judged %.1e\n",
+                        cut.name, interface, report.solve.contacts, report.solve.sweeps, alone.solve.sweeps, report.solve.residualRms, map.rms);
+        }
+        EXPECT_TRUE(report.solve.converged) << cut.name;
+        EXPECT_LE(map.rms, 1.01*settings.tolerance*gravity*deltaT) << cut.name;
+        EXPECT_NEAR(run.dynamics().wallForce()[0][2], serial.wallForce()[0][2], 5e-2*std::abs(serial.wallForce()[0][2])) << cut.name;
+    }
+}
+
+TEST(Ranks, aRestingHeapStaysWhereItIs)
+{
+    const RestingHeap& heap = restingHeap();
+    const nscd::ContactSettings settings;
+    for (const Cut& cut : cuts())
+    {
+        RankedScene run(heap.scene, settings, cut.ownerOf);
+        run.dynamics().restore(ofRank(heap.impulses, run.dynamics().grains()), deltaT);
+        auto serial = heap.scene.build(settings);
+        serial.restore(heap.impulses, deltaT);
+        for (int k = 0; k < 20; ++k)
+        {
+            const nscd::StepReport report = step(run.dynamics(), heap.scene.g, deltaT);
+            const nscd::StepReport alone = step(serial, heap.scene.g, deltaT);
+            EXPECT_TRUE(report.solve.converged) << cut.name;
+            EXPECT_LE(report.solve.sweeps, 3*alone.solve.sweeps + 20) << cut.name << ": impulses were not handed over";
+        }
+        const nscd::Grains all = run.gatherGrains();
+        EXPECT_LT(worstDifference(all.position, serial.grains().position), 1e-4*radius) << cut.name;
+        EXPECT_LT(worstDifference(all.velocity, serial.grains().velocity), 1e-2*gravity*deltaT) << cut.name;
+    }
+}
+
+TEST(Ranks, collisionsConserveMomentumAcrossRanksAndPeriods)
+{
+    for (const Cut& cut : cuts())
+    {
+        Scene scene = heap(3, 8, 9, radius, 0.7, 0.0);
+        scene.walls = nscd::Walls();
+        scene.materials.setPair(0, 0, {0.3, 0.9});
+        for (int k = 0; k < 2; ++k) scene.box.length[k] = 8*2.3*radius;
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        for (Vec3& v : scene.grains.velocity) v = Vec3(unit(random), unit(random), unit(random));
+        Vec3 before = Vec3::Zero();
+        double scale = 0.0;
+        for (std::size_t i = 0; i < scene.grains.size(); ++i)
+        {
+            before += scene.grains.mass[i]*scene.grains.velocity[i];
+            scale += scene.grains.mass[i]*scene.grains.velocity[i].norm();
+        }
+        RankedScene run(scene, nscd::ContactSettings(), cut.ownerOf);
+        std::size_t contacts = 0;
+        for (int k = 0; k < 40; ++k) contacts += step(run.dynamics(), Vec3::Zero(), deltaT).solve.contacts;
+        EXPECT_GT(contacts, 100u);
+        const nscd::Grains after = run.gatherGrains();
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t i = 0; i < after.size(); ++i) sum += after.mass[i]*after.velocity[i];
+        EXPECT_LT((sum - before).norm(), 1e-12*scale) << cut.name;
+    }
+}
+
+TEST(Ranks, overlapBetweenRanksIsRemoved)
+{
+    for (const Cut& cut : cuts())
+    {
+        Scene scene = heap(3, 8, 4, radius, 1.0, 0.3);
+        for (Vec3& x : scene.grains.position) x *= 0.87;
+        RankedScene run(scene, nscd::ContactSettings(), cut.ownerOf);
+        nscd::StepReport report;
+        for (int k = 0; k < 30; ++k) report = step(run.dynamics(), Vec3::Zero(), deltaT);
+        const nscd::Grains all = run.gatherGrains();
+        double deepest = 0.0;
+        for (std::size_t i = 0; i < all.size(); ++i)
+        {
+            for (std::size_t j = 0; j < i; ++j)
+            {
+                deepest = std::max(deepest, all.radius[i] + all.radius[j] - (all.position[i] - all.position[j]).norm());
+            }
+        }
+        EXPECT_LT(deepest, 6e-4*2*radius) << cut.name;
+    }
+}
+
+TEST(Ranks, twoRunsAreTheSameToTheBit)
+{
+    const Scene scene = heap(3, 8, 6, radius, 0.7, friction);
+    const auto run = [&]
+    {
+        RankedScene ranked(scene, nscd::ContactSettings(), cuts()[1].ownerOf);
+        for (int k = 0; k < 60; ++k) step(ranked.dynamics(), scene.g, deltaT);
+        return ranked.gatherGrains();
+    };
+    const nscd::Grains one = run(), other = run();
+    for (std::size_t i = 0; i < one.size(); ++i)
+    {
+        ASSERT_EQ(one.position[i], other.position[i]);
+        ASSERT_EQ(one.velocity[i], other.velocity[i]);
+        ASSERT_EQ(one.omega[i], other.omega[i]);
+    }
+}
+
+TEST(Ranks, onlySweepsWorkAcrossThem)
+{
+    if (ranks() == 1) GTEST_SKIP() << "one rank";
+    nscd::ContactSettings settings;
+    settings.solver = "queue";
+    EXPECT_THROW(RankedScene(heap(3, 2, 2, radius, 1.0, 0.3), settings, cuts()[0].ownerOf), std::invalid_argument);
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// A dry scene run by all ranks together, and gathered on each of them for judgment.
+#pragma once
+
+#include "mpiExchange.hpp"
+#include "unit/nscd/heaps.hpp"
+
+#include <functional>
+
+namespace scenes
+{
+
+using OwnerOf = std::function<int(const Vec3& position, std::int64_t id)>;
+
+/// All ranks' values, one rank behind the other.
+inline std::vector<double> gather(const std::vector<double>& here)
+{
+    int size = 1, count = static_cast<int>(here.size());
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    std::vector<int> counts(size), starts(size, 0);
+    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
+    for (int k = 1; k < size; ++k) starts[k] = starts[k - 1] + counts[k - 1];
+    std::vector<double> all(starts.back() + counts.back());
+    MPI_Allgatherv(here.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, MPI_COMM_WORLD);
+    return all;
+}
+
+inline void add(std::vector<double>& values, const Vec3& x) { values.insert(values.end(), x.data(), x.data() + 3); }
+
+class RankedScene
+{
+public:
+    RankedScene(const Scene& scene, const nscd::ContactSettings& settings, const OwnerOf& ownerOf)
+    :
+        exchange_(std::make_shared<nscd::MpiExchange>()),
+        whole_(scene.grains),
+        dynamics_(mine(scene.grains, ownerOf), scene.materials, scene.walls, scene.box, settings, exchange_)
+    {}
+
+    nscd::GrainDynamics& dynamics() { return dynamics_; }
+    const nscd::MpiExchange& exchange() const { return *exchange_; }
+
+    /// All ranks' grains in the order of their identities.
+    nscd::Grains gatherGrains() const
+    {
+        const nscd::Grains& own = dynamics_.grains();
+        std::vector<double> here;
+        for (std::size_t i = 0; i < own.size(); ++i)
+        {
+            here.push_back(static_cast<double>(own.id[i]));
+            add(here, own.position[i]);
+            add(here, own.velocity[i]);
+            add(here, own.omega[i]);
+        }
+        const std::vector<double> all = gather(here);
+        nscd::Grains grains = whole_;
+        for (std::size_t k = 0; k < all.size(); k += 10)
+        {
+            const std::size_t i = static_cast<std::size_t>(all[k]);
+            grains.position[i] = Vec3(&all[k + 1]);
+            grains.velocity[i] = Vec3(&all[k + 4]);
+            grains.omega[i] = Vec3(&all[k + 7]);
+        }
+        return grains;
+    }
+
+    /// All ranks' contacts, by identities.
+    std::vector<nscd::LoadedContact> gatherContacts() const
+    {
+        std::vector<double> here;
+        for (const nscd::LoadedContact& c : dynamics_.contacts())
+        {
+            here.push_back(static_cast<double>(c.idA));
+            here.push_back(static_cast<double>(c.idB));
+            add(here, c.impulse);
+        }
+        const std::vector<double> all = gather(here);
+        std::vector<nscd::LoadedContact> contacts;
+        for (std::size_t k = 0; k < all.size(); k += 5)
+        {
+            const std::int64_t idA = static_cast<std::int64_t>(all[k]), idB = static_cast<std::int64_t>(all[k + 1]);
+            contacts.push_back({-1, -1, idA, idB, Vec3::Zero(), 0.0, Vec3(&all[k + 2])});
+        }
+        return contacts;
+    }
+
+    /// Contacts between grains of different ranks that carry an impulse, on all ranks.
+    int interfaceContacts() const
+    {
+        double count = 0.0;
+        for (const nscd::LoadedContact& c : dynamics_.contacts())
+        {
+            if (c.b >= static_cast<int>(dynamics_.grains().size())) count += 1.0;
+        }
+        exchange_->sum(&count, 1);
+        return static_cast<int>(count);
+    }
+
+private:
+    nscd::Grains mine(const nscd::Grains& all, const OwnerOf& ownerOf) const
+    {
+        nscd::Grains own;
+        own.shape = all.shape;
+        for (std::size_t i = 0; i < all.size(); ++i)
+        {
+            if (ownerOf(all.position[i], all.id[i]) != exchange_->rank()) continue;
+            own.add(all.position[i], all.radius[i], all.mass[i]/all.volume(i), all.material[i], all.id[i]);
+            own.velocity.back() = all.velocity[i];
+            own.omega.back() = all.omega[i];
+            own.isFixed.back() = all.isFixed[i];
+        }
+        return own;
+    }
+
+    std::shared_ptr<nscd::MpiExchange> exchange_;
+    nscd::Grains whole_;
+    nscd::GrainDynamics dynamics_;
+};
+
+} // namespace scenes
