@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
     using namespace Foam;
     argList::addNote("Rigid grains (non-smooth contact dynamics) in a volume-averaged incompressible fluid");
 
-    nscdCoupling::refuseParallel(argc, argv);
+    nscdCoupling::refuseLoneRanks(argc, argv);
     #include "setRootCase.H"
     #include "createTime.H"
     fvMesh mesh(IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));

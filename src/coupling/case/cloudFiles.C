@@ -7,6 +7,8 @@
 
 #include "IOField.H"
 #include "IOPosition.H"
+#include "OSspecific.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
 
 namespace Foam
@@ -92,34 +94,42 @@ void CloudWriter::write(const word& field, const UList<vector>& values) const { 
 void CloudWriter::write(const word& field, const UList<label>& values) const { writeField(field, values); }
 
 
-CloudReader::CloudReader(const polyMesh& mesh, const word& name, label size)
+CloudReader::CloudReader(const polyMesh& mesh, const word& name)
 :
     mesh_(mesh),
     name_(name),
-    size_(size)
+    // decomposePar writes nothing for a part of the mesh without points.
+    isAbsent_(Pstream::parRun() && !isFile(file("origId").objectPath()))
 {}
+
+
+IOobject CloudReader::file(const word& field) const
+{
+    return IOobject
+    (
+        field, mesh_.time().timeName(), cloud::prefix/name_, mesh_, IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+}
 
 
 template<class Type>
 Field<Type> CloudReader::read(const word& field) const
 {
-    const IOobject file
-    (
-        field, mesh_.time().timeName(), cloud::prefix/name_, mesh_, IOobject::MUST_READ, IOobject::NO_WRITE, false
-    );
-    const InputPlace place = placeInFile(file.objectPath(), field);
+    if (isAbsent_) return Field<Type>();
+    const InputPlace place = placeInFile(file(field).objectPath(), field);
     string reason;
     Field<Type> values;
     try
     {
         const ThrowingErrors throwing;
-        values = IOField<Type>(file);
+        values = IOField<Type>(file(field));
     }
     catch (const Foam::error& error)
     {
         reason = error.message();
     }
     if (!reason.empty()) fail({place, "cannot be read for the restart: the file is missing, truncated or damaged", reason});
+    if (size_ < 0) size_ = values.size();
     if (values.size() != size_)
     {
         fail
@@ -135,6 +145,18 @@ Field<Type> CloudReader::read(const word& field) const
 scalarField CloudReader::scalars(const word& field) const { return read<scalar>(field); }
 vectorField CloudReader::vectors(const word& field) const { return read<vector>(field); }
 labelList CloudReader::labels(const word& field) const { return read<label>(field); }
+
+
+void CloudReader::checkTotal(const word& field, label total) const
+{
+    const label found = returnReduce(max(size_, label(0)), sumOp<label>());
+    if (found == total) return;
+    fail
+    ({
+        placeInFile(file(field).objectPath(), field), "does not fit the other files of this time",
+        Foam::name(found) + " values", Foam::name(total) + " values"
+    });
+}
 
 } // namespace nscdCoupling
 } // namespace Foam

@@ -8,6 +8,7 @@
 #include "vectorConversion.H"
 
 #include "OSspecific.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
 #include "cloud.H"
 
@@ -134,8 +135,9 @@ nscd::Grains readGrains
     const polyMesh& mesh, const RunState& state, const MaterialProperties& materials, const nscd::GrainShape& shape
 )
 {
-    const CloudReader cloud(mesh, "grains", state.nGrains);
+    const CloudReader cloud(mesh, "grains");
     const labelList id = cloud.labels("origId");
+    cloud.checkTotal("origId", state.nGrains);
     const vectorField position = cloud.vectors("position");
     const scalarField diameter = cloud.scalars("d");
     const vectorField velocity = cloud.vectors("U");
@@ -168,9 +170,10 @@ std::vector<nscd::Vec3> toVec3s(const vectorField& values)
     return result;
 }
 
-GrainExtras readExtras(const polyMesh& mesh, label nGrains, const RestartExpectation& expected)
+GrainExtras readExtras(const polyMesh& mesh, const RestartExpectation& expected)
 {
-    const CloudReader cloud(mesh, "grains", nGrains);
+    const CloudReader cloud(mesh, "grains");
+    cloud.labels("origId");
     GrainExtras extras;
     for (const word& name : expected.scalars)
     {
@@ -186,8 +189,9 @@ std::vector<nscd::StoredImpulse> readContacts
     const polyMesh& mesh, const RunState& state, const nscd::Grains& grains, label nWallRegions
 )
 {
-    const CloudReader cloud(mesh, "contacts", state.nContacts);
+    const CloudReader cloud(mesh, "contacts");
     const labelList idA = cloud.labels("idA");
+    cloud.checkTotal("idA", state.nContacts);
     const labelList idB = cloud.labels("idB");
     const vectorField impulse = cloud.vectors("impulse");
 
@@ -195,16 +199,11 @@ std::vector<nscd::StoredImpulse> readContacts
     std::vector<nscd::StoredImpulse> contacts;
     forAll(idA, c)
     {
-        const bool isKnownB = idB[c] >= 0 ? index.count(idB[c]) > 0 : -1 - idB[c] < nWallRegions;
-        if (index.count(idA[c]) == 0 || !isKnownB)
-        {
-            fail
-            ({
-                placeInFile(mesh.time().timePath()/"lagrangian/contacts", "idA, idB"), "name a grain or wall that is not there",
-                Foam::name(idA[c]) + " and " + Foam::name(idB[c]), "ids of lagrangian/grains, and walls as at the time of writing"
-            });
-        }
         contacts.push_back({idA[c], idB[c], toVec3(impulse[c])});
+        // Grains of a contact may be another rank's: whoever brings contacts to their grains looks for them.
+        const bool isKnownA = Pstream::parRun() || index.count(idA[c]) > 0;
+        const bool isKnownB = idB[c] < 0 ? -1 - idB[c] < nWallRegions : Pstream::parRun() || index.count(idB[c]) > 0;
+        if (!isKnownA || !isKnownB) refuseContact(mesh, contacts.back());
     }
     return contacts;
 }
@@ -220,8 +219,8 @@ void writeGrainState
     writeGrains(mesh, state.grains, state.extras, cells);
     writeContacts(mesh, state.contacts, state.grains, cells);
     RunState run;
-    run.nGrains = label(state.grains.size());
-    run.nContacts = label(state.contacts.size());
+    run.nGrains = returnReduce(label(state.grains.size()), sumOp<label>());
+    run.nContacts = returnReduce(label(state.contacts.size()), sumOp<label>());
     run.materials = wordList(label(materials.names().size()));
     std::copy(materials.names().begin(), materials.names().end(), run.materials.begin());
     run.numbers = state.numbers;
@@ -231,16 +230,29 @@ void writeGrainState
 
 bool hasGrainState(const polyMesh& mesh)
 {
-    if (hasRunState(mesh)) return true;
     const Time& time = mesh.time();
-    const bool isHalfWritten =
-        isDir(time.timePath()/cloud::prefix/"grains") || isFile(time.timePath()/"balancedGradient");
-    if (!isHalfWritten) return false;
+    const bool isWritten = hasRunState(mesh);
+    const bool isBegun =
+        isWritten || isDir(time.timePath()/cloud::prefix/"grains") || isFile(time.timePath()/"balancedGradient");
+    if (returnReduce(isWritten, andOp<bool>())) return true;
+    if (!returnReduce(isBegun, orOp<bool>())) return false;
     fail
     ({
         placeInFile(time.timePath()/"uniform/grainState", "grainState"),
         "is missing: the directory was not written to its end", string::null,
-        "remove the directory " + time.timeName() + ", and the run continues from the time before it"
+        "remove the directory " + time.timeName() + (Pstream::parRun() ? " of all processors" : "")
+            + ", and the run continues from the time before it"
+    });
+}
+
+
+void refuseContact(const polyMesh& mesh, const nscd::StoredImpulse& contact)
+{
+    fail
+    ({
+        placeInFile(mesh.time().timePath()/"lagrangian/contacts", "idA, idB"), "name a grain or wall that is not there",
+        Foam::name(label(contact.idA)) + " and " + Foam::name(label(contact.idB)),
+        "ids of lagrangian/grains, and walls as at the time of writing"
     });
 }
 
@@ -258,7 +270,7 @@ GrainState readGrainState
     }
     GrainState state;
     state.grains = readGrains(mesh, run, materials, shape);
-    state.extras = readExtras(mesh, run.nGrains, expected);
+    state.extras = readExtras(mesh, expected);
     state.contacts = readContacts(mesh, run, state.grains, expected.nWallRegions);
     state.numbers = run.numbers;
     return state;

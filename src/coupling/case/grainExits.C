@@ -5,12 +5,48 @@
 #include "grainExits.H"
 #include "vectorConversion.H"
 
+#include "PstreamCombineReduceOps.H"
+#include "PstreamReduceOps.H"
+#include "Tuple2.H"
 #include "emptyPolyPatch.H"
+#include "processorPolyPatch.H"
 
 namespace Foam
 {
 namespace nscdCoupling
 {
+
+namespace
+{
+
+/// A patch and how far it is; of two at the same distance the lower number wins, on all ranks.
+using PatchDistance = Tuple2<scalar, label>;
+
+PatchDistance nearestHere(const polyMesh& mesh, const point& position)
+{
+    PatchDistance nearest(GREAT, -1);
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(patch) || isA<processorPolyPatch>(patch)) continue;
+        for (const face& f : patch.localFaces())
+        {
+            const pointHit hit = f.nearestPoint(position, patch.localPoints());
+            if (hit.distance() < nearest.first()) nearest = PatchDistance(hit.distance(), patch.index());
+        }
+    }
+    return nearest;
+}
+
+struct KeepNearer
+{
+    void operator()(PatchDistance& a, const PatchDistance& b) const
+    {
+        if (b.first() < a.first() || (b.first() == a.first() && b.second() < a.second())) a = b;
+    }
+};
+
+} // namespace
+
 
 std::vector<std::size_t> findExited
 (
@@ -18,43 +54,51 @@ std::vector<std::size_t> findExited
 )
 {
     std::vector<std::size_t> exited;
+    pointField positions;
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         if (cells[i] >= 0) continue;
-        const label patchi = nearestPatch(mesh, toFoam(grains.position[i]));
-        if (patchi < 0 || roles.role[patchi] != PatchRole::exit)
-        {
-            const word patch = patchi < 0 ? word("none") : mesh.boundaryMesh()[patchi].name();
-            FatalErrorInFunction
-                << messageText
-                   (
-                       "Grain ", label(grains.id[i]), " at ", toFoam(grains.position[i]), " with velocity ",
-                       toFoam(grains.velocity[i]), " left the mesh near the patch ", patch, ", which is no exit."
-                   ).c_str()
-                << exit(FatalError);
-        }
         exited.push_back(i);
+        positions.append(toFoam(grains.position[i]));
+    }
+    if (!returnReduce(!positions.empty(), orOp<bool>())) return exited;
+    const labelList patches = nearestPatches(mesh, positions);
+    forAll(patches, k)
+    {
+        const std::size_t i = exited[k];
+        if (patches[k] >= 0 && roles.role[patches[k]] == PatchRole::exit) continue;
+        const word patch = patches[k] < 0 ? word("none") : mesh.boundaryMesh()[patches[k]].name();
+        FatalErrorInFunction
+            << messageText
+               (
+                   "Grain ", label(grains.id[i]), " at ", positions[k], " with velocity ",
+                   toFoam(grains.velocity[i]), " left the mesh near the patch ", patch, ", which is no exit."
+               ).c_str()
+            << exit(FatalError);
     }
     return exited;
 }
 
 
-label nearestPatch(const polyMesh& mesh, const point& position)
+labelList nearestPatches(const polyMesh& mesh, const pointField& positions)
 {
-    label nearest = -1;
-    scalar least = GREAT;
-    for (const polyPatch& patch : mesh.boundaryMesh())
+    List<pointField> perRank(Pstream::nProcs());
+    perRank[Pstream::myProcNo()] = positions;
+    Pstream::gatherList(perRank);
+    Pstream::scatterList(perRank);
+    List<PatchDistance> nearest;
+    label firstOwn = 0;
+    forAll(perRank, rank)
     {
-        if (isA<emptyPolyPatch>(patch)) continue;
-        for (const face& f : patch.localFaces())
-        {
-            const pointHit hit = f.nearestPoint(position, patch.localPoints());
-            if (hit.distance() >= least) continue;
-            least = hit.distance();
-            nearest = patch.index();
-        }
+        if (rank == Pstream::myProcNo()) firstOwn = nearest.size();
+        for (const point& position : perRank[rank]) nearest.append(nearestHere(mesh, position));
     }
-    return nearest;
+    Pstream::listCombineGather(nearest, KeepNearer());
+    Pstream::listCombineScatter(nearest);
+
+    labelList patches(positions.size());
+    forAll(patches, i) patches[i] = nearest[firstOwn + i].second();
+    return patches;
 }
 
 

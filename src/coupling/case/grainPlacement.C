@@ -17,25 +17,61 @@ namespace nscdCoupling
 namespace
 {
 
+/// Grains of all sources on their way to whoever takes them, numbered one after the other.
+class GrainStream
+{
+public:
+    GrainStream(const nscd::GrainShape& shape, const GrainTaker& take)
+    :
+        take_(take)
+    {
+        batch_.shape = shape;
+    }
+
+    /// A new grain, the last of the batch that is returned.
+    nscd::Grains& add(const vector& position, scalar radius, scalar density, int material)
+    {
+        if (batch_.size() == grainsInBatch) flush();
+        batch_.add(toVec3(position), radius, density, material, number_++);
+        return batch_;
+    }
+
+    void flush()
+    {
+        const nscd::GrainShape shape = batch_.shape;
+        take_(batch_);
+        batch_ = nscd::Grains();
+        batch_.shape = shape;
+    }
+
+private:
+    static constexpr std::size_t grainsInBatch = 10000;
+
+    const GrainTaker& take_;
+    nscd::Grains batch_;
+    std::int64_t number_ = 0;
+};
+
+
 /// Adds grains of one source; keeps what they have in common.
 class Placement
 {
 public:
-    Placement(const GrainProperties& properties, const GrainSource& source, const GrainSpace& space, nscd::Grains& grains)
+    Placement(const GrainProperties& properties, const GrainSource& source, const GrainSpace& space, GrainStream& stream)
     :
         materials_(properties.materials),
         source_(source),
         space_(space),
-        grains_(grains)
+        stream_(stream)
     {}
 
     void add(vector position, scalar diameter, int material)
     {
         if (space_.emptyAxis >= 0) position[space_.emptyAxis] = space_.midPlane;
-        grains_.add(toVec3(position), 0.5*diameter, materials_.density[material], material, grains_.size());
-        grains_.velocity.back() = toVec3(source_.velocity);
-        grains_.omega.back() = toVec3(source_.omega);
-        grains_.isFixed.back() = source_.isFixed;
+        nscd::Grains& grains = stream_.add(position, 0.5*diameter, materials_.density[material], material);
+        grains.velocity.back() = toVec3(source_.velocity);
+        grains.omega.back() = toVec3(source_.omega);
+        grains.isFixed.back() = source_.isFixed;
     }
 
     void addPositions(const fileName& path)
@@ -103,7 +139,7 @@ private:
     const MaterialProperties& materials_;
     const GrainSource& source_;
     const GrainSpace& space_;
-    nscd::Grains& grains_;
+    GrainStream& stream_;
 };
 
 
@@ -132,20 +168,38 @@ GrainSpace grainSpace(const GrainProperties& properties, const polyMesh& mesh)
 }
 
 
-nscd::Grains placeGrains(const GrainProperties& properties, const GrainSpace& space, const fileName& constantPath)
+void placeGrains
+(
+    const GrainProperties& properties, const GrainSpace& space, const fileName& constantPath, const GrainTaker& take
+)
 {
-    nscd::Grains grains;
-    grains.shape = space.shape;
+    GrainStream stream(space.shape, take);
     for (const GrainSource& source : properties.sources)
     {
         checkPlanarMotion(source, space);
-        Placement placement(properties, source, space, grains);
+        Placement placement(properties, source, space, stream);
         const fileName path = source.file.isAbsolute() ? source.file : constantPath/source.file;
         if (source.type == "positionsFile") placement.addPositions(path);
         if (source.type == "table") placement.addTable(path);
         if (source.type == "lattice") placement.addLattice();
     }
-    return grains;
+    stream.flush();
+}
+
+
+void appendGrains(nscd::Grains& grains, const nscd::Grains& more)
+{
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(grains.position, more.position);
+    append(grains.velocity, more.velocity);
+    append(grains.omega, more.omega);
+    append(grains.orientation, more.orientation);
+    append(grains.radius, more.radius);
+    append(grains.mass, more.mass);
+    append(grains.material, more.material);
+    append(grains.id, more.id);
+    append(grains.isFixed, more.isFixed);
+    grains.nOwned = grains.size();
 }
 
 } // namespace nscdCoupling

@@ -95,6 +95,7 @@ nscd::ContactSettings readContactSettings(const CheckedDict& top)
     const CheckedDict given(dict);
     nscd::ContactSettings s;
     s.solver = given.choice("type", solverWords(), s.solver);
+    if (Pstream::parRun() && s.solver != "NLGS") given.reject("type", "works on one rank only", "NLGS");
     s.tolerance = given.number("tolerance", above(0), dimless, s.tolerance);
     s.displacementTolerance = given.number("displacementTolerance", above(0), dimless, s.displacementTolerance);
     s.maxSweeps = given.integer("maxSweeps", 1, s.maxSweeps);
@@ -173,6 +174,16 @@ GrainTimeSettings readTimeSettings(const CheckedDict& top)
 }
 
 
+scalar readMaxLoadImbalance(const CheckedDict& top, scalar byDefault)
+{
+    const dictionary dict = top.subOrEmpty("parallel");
+    const CheckedDict given(dict);
+    const scalar largest = given.number("maxLoadImbalance", above(1), dimless, byDefault);
+    given.finish();
+    return largest;
+}
+
+
 void readCoupling(const CheckedDict& top, GrainProperties& properties)
 {
     properties.solvesFluid = top.choice("fluid", {"solved", "none"}, "solved") == "solved";
@@ -217,6 +228,7 @@ GrainProperties readGrainProperties(const dictionary& dict)
     readPlanes(top, properties);
     readSources(top, properties);
     properties.contact = readContactSettings(top);
+    properties.maxLoadImbalance = readMaxLoadImbalance(top, properties.maxLoadImbalance);
     readCoupling(top, properties);
     top.finish();
     return properties;

@@ -71,6 +71,7 @@ GrainReport::GrainReport(const Time& time)
 :
     path_(time.globalPath()/"postProcessing"/"grains"/time.timeName(time.startTime().value())/"report.csv")
 {
+    if (!Pstream::master()) return;
     mkDir(path_.path());
     file_.open(path_);
     file_.precision(std::numeric_limits<double>::max_digits10);
@@ -83,6 +84,7 @@ GrainReport::GrainReport(const Time& time)
 
 void GrainReport::write(const StepRow& row)
 {
+    if (!Pstream::master()) return;
     writeLine(file_, [&](const Column& column) { file_ << column.value(row); });
     check();
 }

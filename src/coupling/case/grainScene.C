@@ -19,10 +19,19 @@ namespace nscdCoupling
 namespace
 {
 
-void checkPairsThatMeet(const GrainProperties& properties, const nscd::Grains& grains, const nscd::Walls& walls)
+void checkPairsThatMeet
+(
+    const GrainProperties& properties, const nscd::Grains& grains, const nscd::Walls& walls, const nscd::Exchange& exchange
+)
 {
-    const std::set<int> ofGrains(grains.material.begin(), grains.material.end());
-    std::set<int> ofWalls;
+    std::vector<double> isUsed(properties.materials.table.size(), 0.0);
+    for (int material : grains.material) isUsed[material] = 1.0;
+    exchange.max(isUsed.data(), static_cast<int>(isUsed.size()));
+    std::set<int> ofGrains, ofWalls;
+    for (std::size_t material = 0; material < isUsed.size(); ++material)
+    {
+        if (isUsed[material] > 0.0) ofGrains.insert(static_cast<int>(material));
+    }
     for (const nscd::WallPatch& patch : walls.patches) ofWalls.insert(patch.material);
     checkPairs
     (
@@ -66,15 +75,33 @@ GrainScene makeGrainScene(const GrainProperties& properties, const polyMesh& mes
 }
 
 
+nscd::Grains makeFirstGrains
+(
+    const GrainProperties& properties, const GrainScene& scene, const polyMesh& mesh, nscd::Exchange& exchange
+)
+{
+    nscd::Grains grains;
+    grains.shape = scene.space.shape;
+    HomeRanks homes(mesh);
+    const auto keep = [&](nscd::Grains& batch)
+    {
+        for (nscd::Vec3& x : batch.position) x = scene.box.wrap(x);
+        homes.keepOwn(batch);
+        appendGrains(grains, batch);
+    };
+    placeGrains(properties, scene.space, mesh.time().globalPath()/mesh.time().constant(), keep);
+    homes.checkNoneOutside();
+    checkPairsThatMeet(properties, grains, scene.walls, exchange);
+    checkPeriods(scene.box, grains, mesh);
+    checkOverlaps(grains, scene.box, scene.walls, properties.maxInitialOverlap, properties.overlapPlace, exchange);
+    return grains;
+}
+
+
 nscd::Grains makeFirstGrains(const GrainProperties& properties, const GrainScene& scene, const polyMesh& mesh)
 {
-    nscd::Grains grains = placeGrains(properties, scene.space, mesh.time().path()/mesh.time().constant());
-    checkPairsThatMeet(properties, grains, scene.walls);
-    checkPeriods(scene.box, grains, mesh);
-    for (nscd::Vec3& x : grains.position) x = scene.box.wrap(x);
-    checkInsideMesh(grains, mesh);
-    checkOverlaps(grains, scene.box, scene.walls, properties.maxInitialOverlap, properties.overlapPlace);
-    return grains;
+    nscd::Exchange alone;
+    return makeFirstGrains(properties, scene, mesh, alone);
 }
 
 } // namespace nscdCoupling

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Looking at the command line and at what mpirun tells its processes.
+// Looking at the command line, at what mpirun tells its processes, and at what the case asks for.
 #include "parallelRefusal.H"
 
+#include "Pstream.H"
 #include "error.H"
 
 #include <cstdlib>
@@ -30,14 +31,23 @@ bool isOneOfMany()
 } // namespace
 
 
-void refuseParallel(int argc, char* argv[])
+void refuseLoneRanks(int argc, char* argv[])
 {
-    bool isParallel = isOneOfMany();
+    bool isParallel = false;
     for (int i = 1; i < argc; ++i) isParallel = isParallel || std::strcmp(argv[i], "-parallel") == 0;
-    if (!isParallel) return;
+    if (isParallel || !isOneOfMany()) return;
     FatalErrorIn("nscdDEMFoam")
-        << "This version of nscdDEMFoam runs on one rank only, without mpirun and without the option -parallel. "
-        << "A decomposed case can be put together again by reconstructPar." << exit(FatalError);
+        << "mpirun started several processes without the option -parallel: each would run the whole case on one rank only and "
+        << "write to the same files. Use decomposePar, then mpirun -np <ranks> nscdDEMFoam -parallel." << exit(FatalError);
+}
+
+
+void refuseFluidOnRanks(const GrainProperties& properties)
+{
+    if (!Pstream::parRun() || !properties.solvesFluid) return;
+    FatalErrorIn("nscdDEMFoam")
+        << "A run with a fluid works on one rank only in this version; several ranks can run grains alone, with `fluid none;` in "
+        << "constant/grainProperties. A decomposed case can be put together again by reconstructPar." << exit(FatalError);
 }
 
 } // namespace nscdCoupling

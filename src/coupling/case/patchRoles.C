@@ -8,6 +8,7 @@
 #include "SubField.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
 #include "wallPolyPatch.H"
@@ -41,13 +42,13 @@ void refuseUnknownKinds(const polyMesh& mesh)
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
+        const bool isParallel = isA<processorPolyPatch>(patch);
         const bool isKnown = mayTakeRule(patch) || isA<emptyPolyPatch>(patch) || patch.type() == cyclicPolyPatch::typeName;
-        if (isKnown) continue;
-        const bool isParallel = patch.type().find("processor") == 0;
+        if (isKnown || (isParallel && Pstream::parRun())) continue;
         fail
         ({
             boundaryPlace(mesh, patch),
-            isParallel ? "belongs to a decomposed case; grains run on one rank only" : "is of a type that grains do not know",
+            isParallel ? "belongs to a part of a decomposed case: run the whole with -parallel" : "is of a type that grains do not know",
             patch.type(), "wall, symmetry, symmetryPlane, patch, cyclic, empty"
         });
     }
@@ -87,20 +88,33 @@ void applyRule(const PatchRule& rule, const polyMesh& mesh, PatchRoles& roles)
     }
 }
 
-PatchRole roleByType(const polyPatch& patch, bool hasGrains)
+/// Faces of each patch on all ranks; those between ranks count where they are.
+labelList patchSizes(const polyMesh& mesh)
 {
+    labelList sizes;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        const bool isOfAll = !isA<processorPolyPatch>(patch);
+        sizes.append(isOfAll ? returnReduce(patch.size(), sumOp<label>()) : patch.size());
+    }
+    return sizes;
+}
+
+PatchRole roleByType(const polyPatch& patch, bool isVoid, bool hasGrains)
+{
+    if (isA<processorPolyPatch>(patch)) return PatchRole::unused;
     if (isA<emptyPolyPatch>(patch)) return PatchRole::empty;
     if (isA<cyclicPolyPatch>(patch)) return PatchRole::periodic;
     if (isWallByType(patch)) return PatchRole::wall;
-    return patch.empty() || hasGrains ? PatchRole::unused : PatchRole::exit;
+    return isVoid || hasGrains ? PatchRole::unused : PatchRole::exit;
 }
 
-void checkComplete(const GrainProperties& properties, const polyMesh& mesh, const PatchRoles& roles)
+void checkComplete(const GrainProperties& properties, const polyMesh& mesh, const labelList& sizes, const PatchRoles& roles)
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         const label patchi = patch.index();
-        if (patch.empty() || properties.sources.empty()) continue;
+        if (sizes[patchi] == 0 || properties.sources.empty() || isA<processorPolyPatch>(patch)) continue;
         if (roles.role[patchi] == PatchRole::unused)
         {
             fail
@@ -121,14 +135,50 @@ void checkComplete(const GrainProperties& properties, const polyMesh& mesh, cons
     }
 }
 
+/// The faces of a cyclic patch on all ranks, those between ranks among them.
+struct CyclicFaces
+{
+    vector sumOfCenters = Zero;
+    scalar number = 0;
+    scalar turned = 0;       ///< ranks that see a rotation
+
+    void add(const coupledPolyPatch& patch)
+    {
+        sumOfCenters += sum(patch.faceCentres());
+        number += patch.size();
+        turned += !patch.parallel();
+    }
+    vector center() const { return sumOfCenters/number; }
+};
+
+/// By patch; patches that are not cyclic have none.
+std::vector<CyclicFaces> cyclicFaces(const polyMesh& mesh)
+{
+    std::vector<CyclicFaces> faces(mesh.boundaryMesh().nNonProcessor());
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        const auto* cyclic = isA<cyclicPolyPatch>(patch);
+        const auto* cut = isA<processorCyclicPolyPatch>(patch);
+        if (cyclic) faces[patch.index()].add(*cyclic);
+        if (cut) faces[cut->referPatchID()].add(*cut);
+    }
+    for (CyclicFaces& of : faces)
+    {
+        reduce(of.sumOfCenters, sumOp<vector>());
+        reduce(of.number, sumOp<scalar>());
+        reduce(of.turned, sumOp<scalar>());
+    }
+    return faces;
+}
+
 /// Axis along which a cyclic patch is shifted from its partner.
-int periodicAxis(const polyMesh& mesh, const cyclicPolyPatch& patch)
+int periodicAxis(const polyMesh& mesh, const cyclicPolyPatch& patch, const CyclicFaces& own, const CyclicFaces& partner)
 {
     const InputPlace place = boundaryPlace(mesh, patch);
     const string allowed = "a translation along x, y or z between two sides of the mesh";
-    if (!patch.parallel()) fail({place, "is a rotational cyclic patch", patch.type(), allowed});
+    if (own.turned > 0 || partner.turned > 0) fail({place, "is a rotational cyclic patch", patch.type(), allowed});
 
-    const vector shift = patch.faceCentres()[0] - patch.neighbPatch().faceCentres()[0];
+    const vector shift = own.center() - partner.center();
     int axis = 0;
     for (int k = 1; k < 3; ++k)
     {
@@ -162,10 +212,11 @@ labelList PatchRoles::ofRole(PatchRole wanted) const
 PatchRoles assignPatchRoles(const GrainProperties& properties, const polyMesh& mesh)
 {
     refuseUnknownKinds(mesh);
+    const labelList sizes = patchSizes(mesh);
     PatchRoles roles;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        roles.role.push_back(roleByType(patch, !properties.sources.empty()));
+        roles.role.push_back(roleByType(patch, sizes[patch.index()] == 0, !properties.sources.empty()));
         roles.material.push_back(properties.wallMaterial);
     }
     // Exact names win over expressions, whatever their order, as everywhere in OpenFOAM.
@@ -176,7 +227,7 @@ PatchRoles assignPatchRoles(const GrainProperties& properties, const polyMesh& m
             if (rule.patch.isPattern() == isPattern) applyRule(rule, mesh, roles);
         }
     }
-    checkComplete(properties, mesh, roles);
+    checkComplete(properties, mesh, sizes, roles);
     return roles;
 }
 
@@ -214,12 +265,13 @@ nscd::GrainShape grainShape(const GrainProperties& properties, const polyMesh& m
 
 nscd::PeriodicBox periodicBox(const polyMesh& mesh)
 {
+    const std::vector<CyclicFaces> faces = cyclicFaces(mesh);
     nscd::PeriodicBox box;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         const auto* cyclic = isA<cyclicPolyPatch>(patch);
-        if (!cyclic || patch.empty()) continue;
-        const int axis = periodicAxis(mesh, *cyclic);
+        if (!cyclic || faces[patch.index()].number == 0) continue;
+        const int axis = periodicAxis(mesh, *cyclic, faces[patch.index()], faces[cyclic->neighbPatchID()]);
         box.lower[axis] = mesh.bounds().min()[axis];
         box.length[axis] = mesh.bounds().span()[axis];
     }

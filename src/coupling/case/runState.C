@@ -6,6 +6,7 @@
 #include "dictionaryCheck.H"
 
 #include "IOdictionary.H"
+#include "OSspecific.H"
 #include "Time.H"
 
 namespace Foam
@@ -64,7 +65,10 @@ void writeExactTime(const Time& time)
 
 bool hasRunState(const polyMesh& mesh)
 {
-    return stateFile(mesh, IOobject::READ_IF_PRESENT).typeHeaderOk<IOdictionary>(true);
+    // In parallel OpenFOAM looks for its first rank's file alone.
+    const IOobject file = stateFile(mesh, IOobject::READ_IF_PRESENT);
+    const bool isThere = isFile(mesh.time().timePath()/"uniform"/file.name());
+    return IOobject(file).typeHeaderOk<IOdictionary>(true) && isThere;
 }
 
 

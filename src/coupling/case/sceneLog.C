@@ -9,8 +9,6 @@
 
 #include "Time.H"
 
-#include <algorithm>
-
 namespace Foam
 {
 namespace nscdCoupling
@@ -26,15 +24,14 @@ string namesOf(const labelList& patches, const polyMesh& mesh)
     return names.empty() ? string("none") : names;
 }
 
-string describeGrains(const nscd::Grains& grains)
+string describeGrains(const GrainTotals& grains, const nscd::GrainShape& shape)
 {
-    if (grains.size() == 0) return "none";
-    const auto range = std::minmax_element(grains.radius.begin(), grains.radius.end());
+    if (grains.number == 0) return "none";
     return formatted
     (
-        "%zu %s, diameter %.4g to %.4g m, volume %.6g m3",
-        grains.size(), grains.shape.dimensions == 2 ? "discs" : "spheres",
-        2*(*range.first), 2*(*range.second), totalVolume(grains)
+        "%lld %s, diameter %.4g to %.4g m, volume %.6g m3",
+        static_cast<long long>(grains.number), shape.dimensions == 2 ? "discs" : "spheres",
+        grains.diameterMin, grains.diameterMax, grains.volume
     );
 }
 
@@ -62,7 +59,7 @@ string describeFluid(const GrainProperties& properties)
 
 void logScene
 (
-    Ostream& os, const GrainProperties& properties, const GrainScene& scene, const nscd::Grains& grains,
+    Ostream& os, const GrainProperties& properties, const GrainScene& scene, const GrainTotals& grains,
     const polyMesh& mesh, bool isRestart
 )
 {
@@ -72,7 +69,7 @@ void logScene
         os << formatted("  %-9s", head).c_str() << text.c_str() << nl;
     };
     os << "Case" << nl;
-    line("grains", describeGrains(grains));
+    line("grains", describeGrains(grains, scene.space.shape));
     if (isRestart) line("", "from time " + mesh.time().timeName() + "; `grains` of grainProperties are for a new start only");
     line("walls", describeWalls(scene, mesh));
     line("exits", namesOf(scene.roles.ofRole(PatchRole::exit), mesh));
@@ -83,6 +80,7 @@ void logScene
         nscd::chooseKernels(contact.vectorPath.c_str()).name
     ));
     line("fluid", describeFluid(properties));
+    if (Pstream::parRun()) line("ranks", formatted("%d, load at most %.3g of the mean", Pstream::nProcs(), properties.maxLoadImbalance));
     os << endl;
 }
 

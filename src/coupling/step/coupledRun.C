@@ -36,6 +36,7 @@ bool CoupledRun::nextStep()
     if (!time_.run()) return false;
     if (reach_.isKnown) adjustTimeStep(time_, reach_, properties_.time.maxGrainDisplacement);
     ++time_;
+    balanceRanks();
     if (hasFluid()) immersion_->sources.beginStep();
     return true;
 }
@@ -88,7 +89,8 @@ GrainResponse CoupledRun::predictResponse()
     ::nscd::ExternalForces external = externalForces(grains, step_.force, step_.drag, step_.at);
     external.speedScale = speedScale
     (
-        grains, step_.at, step_.drag.implicit, step_.drag.remainder, immersion_->fluid->rho().value(), gravity_, deltaT
+        grains, step_.at, step_.drag.implicit, step_.drag.remainder, immersion_->fluid->rho().value(), gravity_, deltaT,
+        *ranks_.exchange()
     );
     dynamics_->beginStep(deltaT);
     ::nscd::Prediction prediction = freePrediction(grains, external, deltaT);
@@ -155,7 +157,10 @@ void CoupledRun::advanceGrains()
     const scalar rho = hasFluid() ? immersion_->fluid->rho().value() : 0;
     ::nscd::ExternalForces external = hasFluid()
         ? externalForces(grains, step_.force, drag, step_.at) : withoutFluid(step_.force);
-    external.speedScale = speedScale(grains, step_.at, drag.implicit, drag.remainder, rho, gravity_, deltaT);
+    external.speedScale = speedScale
+    (
+        grains, step_.at, drag.implicit, drag.remainder, rho, gravity_, deltaT, *ranks_.exchange()
+    );
 
     const std::vector<Vec3> before = drag.implicit.empty() ? std::vector<Vec3>() : grains.velocity;
     dynamics_->beginStep(deltaT);
@@ -205,6 +210,7 @@ void CoupledRun::depositGrains()
     if (!hasFluid())
     {
         if (locations_) removeExited(locations_->update(dynamics_->grains()));
+        else if (homes_ && hasExits()) removeExited(cellsElsewhere());
         return;
     }
     if (immersion_->sources.isStatic) return;
@@ -225,12 +231,16 @@ void CoupledRun::removeExited(const std::vector<label>& cells)
 {
     const labelList cellList(cells.begin(), cells.end());
     const std::vector<std::size_t> gone = findExited(dynamics_->grains(), cellList, mesh_, scene_.roles);
-    if (gone.empty()) return;
+    double number = double(gone.size());
+    ranks_.exchange()->sum(&number, 1);
+    if (number == 0) return;
     ::nscd::Grains grains = dynamics_->grains();
     eraseGrains(grains, gone);
     dynamics_->setGrains(std::move(grains));
     for (std::vector<Vec3>* perGrain : {&debt_, &lastContactForce_, &fluidForce_}) eraseAt(*perGrain, gone);
-    exited_ += static_cast<std::int64_t>(gone.size());
+    if (homes_) homes_->erase(gone);
+    exited_ += static_cast<std::int64_t>(number);
+    nGrains_ -= static_cast<std::int64_t>(number);
 }
 
 } // namespace nscdCoupling

@@ -4,6 +4,7 @@
 // What a run tells: log, report and written times.
 #include "step/coupledRun.H"
 
+#include "case/grainTotals.H"
 #include "case/runState.H"
 #include "vectorConversion.H"
 
@@ -30,12 +31,12 @@ label pressureIterations(const fvMesh& mesh)
 
 StepRow CoupledRun::describeStep() const
 {
-    const ::nscd::Grains& grains = dynamics_->grains();
+    const GrainTotals totals = sumGrains(dynamics_->grains(), *ranks_.exchange());
     const ::nscd::StepReport& report = step_.grainReport;
     StepRow row;
     row.time = time_.value();
     row.deltaT = time_.deltaTValue();
-    row.grains = static_cast<std::int64_t>(grains.nOwned);
+    row.grains = totals.number;
     row.contacts = static_cast<std::int64_t>(report.solve.contacts);
     row.sweeps = report.solve.sweeps;
     row.converged = report.solve.converged;
@@ -44,10 +45,10 @@ StepRow CoupledRun::describeStep() const
     row.overlapMax = report.overlapMax;
     row.overlapMean = report.overlapMean;
     row.correctionSweeps = report.correctionSweeps;
-    row.kineticEnergy = kineticEnergy(grains);
-    row.massCenter = toFoam(massCenter(grains));
+    row.kineticEnergy = totals.kineticEnergy;
+    row.massCenter = totals.massCenter;
     for (const Vec3& force : dynamics_->wallForce()) row.wallForce += toFoam(force);
-    row.grainVolume = hasFluid() ? immersion_->mapping.report().volumeDeposited : totalVolume(grains);
+    row.grainVolume = hasFluid() ? immersion_->mapping.report().volumeDeposited : totals.volume;
     row.momentumError = step_.momentumError;
     row.exited = exited_;
     row.courantMax = reach_.courant;
@@ -91,16 +92,14 @@ void CoupledRun::reportStep()
 
 void CoupledRun::write()
 {
-    GrainState state;
-    state.numbers = {{"exited", scalar(exited_)}, {"time", time_.value()}, {"courant", reach_.courant}, {"displacement", reach_.displacement}};
-    state.contacts = dynamics_->checkpoint(state.numbers["lastDeltaT"]);
-    state.grains = dynamics_->grains();
-    state.extras.vectors[dragDebtField] = debt_;
-    state.extras.vectors[contactForceField] = lastContactForce_;
-    state.extras.vectors["fFluid"] = fluidForce_;
-    labelList cells(label(state.grains.nOwned), -1);
-    if (hasFluid() && hasGrains()) std::copy(immersion_->mapping.cells().begin(), immersion_->mapping.cells().end(), cells.begin());
-    writeGrainState(mesh_, state, properties_.materials.table, cells);
+    GrainState state = takeState();
+    if (ranks_.isParallel()) writeOnHomes(std::move(state));
+    else
+    {
+        labelList cells(label(state.grains.nOwned), -1);
+        if (hasFluid() && hasGrains()) std::copy(immersion_->mapping.cells().begin(), immersion_->mapping.cells().end(), cells.begin());
+        writeGrainState(mesh_, state, properties_.materials.table, cells);
+    }
     writeExactTime(time_);
 }
 

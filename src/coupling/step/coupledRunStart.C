@@ -4,7 +4,9 @@
 // How a run starts: from grainProperties, or from a written time.
 #include "step/coupledRun.H"
 
+#include "case/grainTotals.H"
 #include "case/numericsCheck.H"
+#include "case/parallelRefusal.H"
 #include "case/sceneLog.H"
 
 namespace Foam
@@ -44,6 +46,13 @@ ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool hasFr
     return {hasDrag, forces.pressureGradient, forces.viscous, hasDrag && hasFriction && forces.spinDrag};
 }
 
+GrainProperties readRunnable(const Time& time)
+{
+    GrainProperties properties = readGrainProperties(time);
+    refuseFluidOnRanks(properties);
+    return properties;
+}
+
 } // namespace
 
 Immersion::Immersion(fvMesh& mesh, const dictionary& voidFraction)
@@ -56,17 +65,19 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
 :
     time_(time),
     mesh_(mesh),
-    properties_(readGrainProperties(time)),
+    properties_(readRunnable(time)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
     active_(activeForces(properties_.forces, properties_.solvesFluid, properties_.materials.table.anyFriction())),
+    ranks_(properties_.maxLoadImbalance),
     log_(time, Info, properties_.solvesFluid)
 {
     startGrains();
     if (properties_.solvesFluid) startFluid();
-    else if (scene_.roles.ofRole(PatchRole::exit).size() > 0) locations_ = std::make_unique<GrainLocations>(mesh);
+    else if (ranks_.isParallel()) homes_ = std::make_unique<GrainHomes>(mesh, ranks_.tree());
+    else if (hasExits()) locations_ = std::make_unique<GrainLocations>(mesh);
     report_ = std::make_unique<GrainReport>(time);
-    logScene(Info, properties_, scene_, dynamics_->grains(), mesh, hasGrainState(mesh));
+    logScene(Info, properties_, scene_, sumGrains(dynamics_->grains(), *ranks_.exchange()), mesh, hasGrainState(mesh));
 }
 
 GrainState CoupledRun::readState() const
@@ -78,14 +89,21 @@ GrainState CoupledRun::readState() const
     return readGrainState(mesh_, properties_.materials, scene_.space.shape, expected);
 }
 
+GrainState CoupledRun::newState() const
+{
+    return GrainState{makeFirstGrains(properties_, scene_, mesh_, *ranks_.exchange()), {}, {}, {}};
+}
+
 void CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
-    GrainState state = isRestart ? readState() : GrainState{makeFirstGrains(properties_, scene_, mesh_), {}, {}, {}};
+    GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
+    state = ranks_.share(state, {});
     const std::size_t n = state.grains.size();
+    nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;
     dynamics_ = std::make_unique<::nscd::GrainDynamics>
     (
-        std::move(state.grains), properties_.materials.table, scene_.walls, scene_.box, properties_.contact
+        std::move(state.grains), properties_.materials.table, scene_.walls, scene_.box, properties_.contact, ranks_.exchange()
     );
     debt_.assign(n, Vec3::Zero());
     lastContactForce_.assign(n, Vec3::Zero());

@@ -35,7 +35,8 @@ std::vector<Vec3> steadyForces
 scalar speedScale
 (
     const ::nscd::Grains& grains, const FluidAtGrains& at, const std::vector<scalar>& implicitDrag,
-    const std::vector<scalar>& remainder, scalar fluidDensity, const vector& gravity, scalar deltaT
+    const std::vector<scalar>& remainder, scalar fluidDensity, const vector& gravity, scalar deltaT,
+    const ::nscd::Exchange& exchange
 )
 {
     scalar weight2 = 0, pressure2 = 0, viscous2 = 0, drag2 = 0;
@@ -51,7 +52,9 @@ scalar speedScale
             drag2 += sqr(gain*(gamma + remainder[i]))*(at.velocity[i] - grains.velocity[i]).squaredNorm();
         }
     }
-    return Foam::sqrt(std::max({weight2, pressure2, viscous2, drag2})/std::max<std::size_t>(1, grains.nOwned));
+    double sums[] = {weight2, pressure2, viscous2, drag2, double(grains.nOwned)};
+    exchange.sum(sums, 5);
+    return Foam::sqrt(*std::max_element(sums, sums + 4)/std::max(1.0, sums[4]));
 }
 
 } // namespace nscdCoupling

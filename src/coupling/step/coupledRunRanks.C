@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What a run on several ranks does beside the seven parts: grains change their owners, and go home to be written.
+#include "step/coupledRun.H"
+
+#include "case/logText.H"
+#include "vectorConversion.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+/// The next step searches its contacts anew, as a restarted run does.
+GrainState CoupledRun::takeState()
+{
+    GrainState state;
+    state.numbers = {{"exited", scalar(exited_)}, {"time", time_.value()}, {"courant", reach_.courant}, {"displacement", reach_.displacement}};
+    state.contacts = dynamics_->checkpoint(state.numbers["lastDeltaT"]);
+    state.grains = dynamics_->grains();
+    state.extras.vectors[dragDebtField] = debt_;
+    state.extras.vectors[contactForceField] = lastContactForce_;
+    state.extras.vectors[fluidForceField] = fluidForce_;
+    return state;
+}
+
+void CoupledRun::setState(const GrainState& state)
+{
+    dynamics_->setGrains(state.grains);
+    dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
+    debt_ = state.extras.vectors.at(dragDebtField);
+    lastContactForce_ = state.extras.vectors.at(contactForceField);
+    fluidForce_ = state.extras.vectors.at(fluidForceField);
+    if (homes_) homes_->forget();
+}
+
+void CoupledRun::balanceRanks()
+{
+    if (!ranks_.isTimeToLook() || !hasGrains()) return;
+    const std::vector<double> load = dynamics_->loads();
+    if (!ranks_.isUneven(load)) return;
+    setState(ranks_.share(takeState(), load));
+    Info<< formatted
+        (
+            "  grains shared out anew: largest over mean load of the ranks %.3g, was %.3g",
+            ranks_.imbalanceAfter(), ranks_.imbalanceBefore()
+        ).c_str() << endl;
+}
+
+std::vector<label> CoupledRun::cellsElsewhere()
+{
+    std::vector<label> cells;
+    for (const GrainHome& home : homes_->update(dynamics_->grains())) cells.push_back(home.cell);
+    return cells;
+}
+
+void CoupledRun::writeOnHomes(GrainState state)
+{
+    std::vector<int> rank;
+    std::vector<label> cell;
+    for (const GrainHome& home : homes_->update(state.grains))
+    {
+        const std::size_t i = rank.size();
+        if (home.rank < 0)
+        {
+            FatalErrorInFunction
+                << "Grain " << label(state.grains.id[i]) << " at " << toFoam(state.grains.position[i])
+                << " lies outside the mesh, and cannot be written." << exit(FatalError);
+        }
+        rank.push_back(home.rank);
+        cell.push_back(home.cell);
+    }
+    state = ranks_.moved(state, rank);
+    cell = ranks_.moved(cell, rank);
+    writeGrainState(mesh_, state, properties_.materials.table, labelList(cell.begin(), cell.end()));
+    // From here on as a restart, which finds the grains in this order and knows no loads.
+    setState(ranks_.share(state, {}));
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

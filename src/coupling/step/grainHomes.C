@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Asking ranks for the cells of grains.
+#include "step/grainHomes.H"
+
+#include "case/grainExits.H"
+#include "vectorConversion.H"
+
+#include "pointRouting.hpp"
+
+#include "indexedOctree.H"
+#include "treeDataCell.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+/// Is a grain still there?
+struct Question
+{
+    std::array<double, 3> position;
+    label guess;
+    label index;   ///< where it is owned
+};
+
+/// Found in a cell of the rank that answers; -1: not there.
+struct Answer
+{
+    label index;
+    label cell;
+};
+
+point pointOf(const std::array<double, 3>& x) { return point(x[0], x[1], x[2]); }
+
+/// The part of the mesh, with room for round-off.
+Eigen::AlignedBox3d boxOf(const polyMesh& mesh)
+{
+    Eigen::AlignedBox3d box;
+    for (const point& x : mesh.points()) box.extend(toVec3(x));
+    const scalar room = 1e-6*mesh.bounds().mag();
+    if (!box.isEmpty())
+    {
+        box.min().array() -= room;
+        box.max().array() += room;
+    }
+    return box;
+}
+
+} // namespace
+
+GrainHomes::GrainHomes(const polyMesh& mesh, const ::nscd::RankTree& tree)
+:
+    mesh_(mesh),
+    tree_(tree)
+{
+    mesh_.tetBasePtIs();  // collective, and asked for by the search
+}
+
+label GrainHomes::search(const point& position) const
+{
+    if (mesh_.nCells() == 0) return -1;
+    const label cell = mesh_.cellTree().findInside(position);
+    // The octree may miss a point on the border of the mesh.
+    return cell >= 0 ? cell : mesh_.cellTree().findInside(position + 1e-9*(mesh_.bounds().centre() - position));
+}
+
+label GrainHomes::find(const point& position, label guess) const
+{
+    if (mesh_.pointInCell(position, guess)) return guess;
+    for (const label cell : mesh_.cellCells()[guess])
+    {
+        if (mesh_.pointInCell(position, cell)) return cell;
+    }
+    return search(position);
+}
+
+void GrainHomes::askLastHomes(const ::nscd::Grains& grains)
+{
+    const ::nscd::Communicator& all = tree_.all();
+    std::vector<Question> questions;
+    std::vector<int> homes;
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        if (homes_[i].rank < 0) continue;
+        const ::nscd::Vec3& x = grains.position[i];
+        questions.push_back({{x[0], x[1], x[2]}, homes_[i].cell, label(i)});
+        homes.push_back(homes_[i].rank);
+    }
+    std::vector<Answer> answers;
+    std::vector<int> askers;
+    for (const ::nscd::Message& message : all.exchange(::nscd::messagesByRank(questions, homes)))
+    {
+        std::vector<Question> asked;
+        ::nscd::unpack(message.bytes, asked);
+        for (const Question& question : asked)
+        {
+            answers.push_back({question.index, find(pointOf(question.position), question.guess)});
+            askers.push_back(message.rank);
+        }
+    }
+    for (const Answer& answer : ::nscd::valuesOf<Answer>(all.exchange(::nscd::messagesByRank(answers, askers))))
+    {
+        GrainHome& home = homes_[answer.index];
+        home = answer.cell < 0 ? GrainHome() : GrainHome{home.rank, answer.cell};
+    }
+}
+
+void GrainHomes::askAround(const ::nscd::Grains& grains)
+{
+    std::vector<::nscd::Vec3> astray;
+    std::vector<std::size_t> grainOf;
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        if (homes_[i].rank >= 0) continue;
+        astray.push_back(grains.position[i]);
+        grainOf.push_back(i);
+    }
+    std::vector<Answer> answers;
+    std::vector<int> askers;
+    for (const ::nscd::RoutedPoint& asked : ::nscd::routePoints(tree_, astray, boxOf(mesh_)))
+    {
+        const label cell = search(pointOf(asked.position));
+        if (cell < 0) continue;
+        answers.push_back({asked.index, cell});
+        askers.push_back(asked.origin);
+    }
+    // Messages come by ascending rank: the first to claim a grain is the lowest.
+    for (const ::nscd::Message& message : tree_.all().exchange(::nscd::messagesByRank(answers, askers)))
+    {
+        std::vector<Answer> found;
+        ::nscd::unpack(message.bytes, found);
+        for (const Answer& answer : found)
+        {
+            GrainHome& home = homes_[grainOf[answer.index]];
+            if (home.rank < 0) home = {message.rank, answer.cell};
+        }
+    }
+}
+
+const std::vector<GrainHome>& GrainHomes::update(const ::nscd::Grains& grains)
+{
+    homes_.resize(grains.nOwned);
+    askLastHomes(grains);
+    askAround(grains);
+    return homes_;
+}
+
+void GrainHomes::erase(const std::vector<std::size_t>& indices)
+{
+    eraseAt(homes_, indices);
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Moving grains and their contacts between ranks.
+#include "step/grainRanks.H"
+
+#include "grainPartition.hpp"
+#include "idDirectory.hpp"
+#include "migration.hpp"
+#include "mpiExchange.hpp"
+
+#include "PstreamReduceOps.H"
+#include "Time.H"
+
+#include <numeric>
+#include <unordered_map>
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+constexpr label stepsBetweenLooks = 10;
+
+/// What the last share() left may grow by this before it is tried again.
+constexpr scalar hopeForBetter = 1.1;
+
+/// StoredImpulse without Eigen's types.
+struct ImpulseOnWay
+{
+    std::int64_t idA, idB;
+    std::array<double, 3> impulse;
+};
+
+std::vector<::nscd::StoredImpulse> movedContacts
+(
+    const ::nscd::Communicator& all, const std::vector<::nscd::StoredImpulse>& contacts, const std::vector<int>& destination
+)
+{
+    std::vector<ImpulseOnWay> sent;
+    for (const ::nscd::StoredImpulse& c : contacts) sent.push_back({c.idA, c.idB, {c.impulse[0], c.impulse[1], c.impulse[2]}});
+    std::vector<::nscd::StoredImpulse> received;
+    for (const ImpulseOnWay& c : ::nscd::valuesOf<ImpulseOnWay>(all.exchange(::nscd::messagesByRank(sent, destination))))
+    {
+        received.push_back({c.idA, c.idB, ::nscd::Vec3(c.impulse.data())});
+    }
+    return received;
+}
+
+/// Where each contact's first grain, one of this rank's, goes.
+std::vector<int> destinationsOfContacts(const GrainState& state, const std::vector<int>& destination)
+{
+    std::unordered_map<std::int64_t, int> byId;
+    for (std::size_t i = 0; i < state.grains.size(); ++i) byId.emplace(state.grains.id[i], destination[i]);
+    std::vector<int> ofContacts;
+    for (const ::nscd::StoredImpulse& contact : state.contacts) ofContacts.push_back(byId.at(contact.idA));
+    return ofContacts;
+}
+
+void checkDuplicates(const ::nscd::IdDirectory& directory, const polyMesh& mesh)
+{
+    if (directory.duplicates() == 0) return;
+    fail
+    ({
+        placeInFile(mesh.time().timePath()/"lagrangian/grains", "origId"), "names grains that several processors have",
+        Foam::name(label(directory.duplicates())) + " grains", "each grain on one processor"
+    });
+}
+
+} // namespace
+
+GrainRanks::GrainRanks(scalar maxLoadImbalance)
+:
+    mpi_(Pstream::parRun() ? std::make_shared<::nscd::MpiExchange>() : nullptr),
+    exchange_(mpi_),
+    maxLoadImbalance_(maxLoadImbalance)
+{
+    if (!mpi_) exchange_ = std::make_shared<::nscd::Exchange>();
+}
+
+const ::nscd::RankTree& GrainRanks::tree() const { return mpi_->tree(); }
+
+GrainState GrainRanks::joinContacts(GrainState state, const polyMesh& mesh) const
+{
+    if (!isParallel()) return state;
+    const ::nscd::Communicator& all = mpi_->tree().all();
+    const ::nscd::IdDirectory directory(all, state.grains.id);
+    checkDuplicates(directory, mesh);
+    std::vector<std::int64_t> idA, idB;
+    for (const ::nscd::StoredImpulse& contact : state.contacts)
+    {
+        idA.push_back(contact.idA);
+        idB.push_back(contact.idB >= 0 ? contact.idB : contact.idA);
+    }
+    const std::vector<int> ownerA = directory.owners(idA), ownerB = directory.owners(idB);
+    for (std::size_t k = 0; k < idA.size(); ++k)
+    {
+        if (ownerA[k] < 0 || ownerB[k] < 0) refuseContact(mesh, state.contacts[k]);
+    }
+    state.contacts = movedContacts(all, state.contacts, ownerA);
+    return state;
+}
+
+GrainState GrainRanks::moved(const GrainState& state, const std::vector<int>& destination) const
+{
+    const ::nscd::Migration move(mpi_->tree().all(), destination);
+    GrainState there;
+    there.grains = move.moveGrains(state.grains);
+    for (const auto& [name, values] : state.extras.scalars) there.extras.scalars[name] = move.move(values);
+    for (const auto& [name, values] : state.extras.vectors) there.extras.vectors[name] = move.move(values);
+    there.contacts = movedContacts(mpi_->tree().all(), state.contacts, destinationsOfContacts(state, destination));
+    there.numbers = state.numbers;
+    return there;
+}
+
+std::vector<label> GrainRanks::moved(const std::vector<label>& perGrain, const std::vector<int>& destination) const
+{
+    return ::nscd::Migration(mpi_->tree().all(), destination).move(perGrain);
+}
+
+GrainState GrainRanks::share(const GrainState& state, std::vector<double> load)
+{
+    if (!isParallel()) return state;
+    if (load.empty()) load.assign(state.grains.size(), 1.0);
+    const std::vector<int> owner = ::nscd::partitionGrains(mpi_->tree(), state.grains.position, load);
+    before_ = imbalanceOf(load);
+    after_ = imbalanceOf(::nscd::Migration(mpi_->tree().all(), owner).move(load));
+    steps_ = 0;
+    return moved(state, owner);
+}
+
+bool GrainRanks::isTimeToLook()
+{
+    return isParallel() && ++steps_ % stepsBetweenLooks == 0;
+}
+
+bool GrainRanks::isUneven(const std::vector<double>& load)
+{
+    return imbalanceOf(load) > std::max(maxLoadImbalance_, hopeForBetter*after_);
+}
+
+scalar GrainRanks::imbalanceOf(const std::vector<double>& load) const
+{
+    return ::nscd::imbalance(mpi_->tree().all(), std::accumulate(load.begin(), load.end(), 0.0));
+}
+
+} // namespace nscdCoupling
+} // namespace Foam
