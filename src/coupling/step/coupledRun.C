@@ -46,7 +46,7 @@ void CoupledRun::sampleFluid()
     const auto timer = timing_.time(StepPart::sampleFluid);
     if (!hasFluid() || !hasGrains()) return;
     const volScalarField* alpha = feedsBack() ? &immersion_->sources.alpha : nullptr;
-    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, immersion_->mapping, active_, step_.at);
+    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, immersion_->mapping, immersion_->atHome, active_, step_.at);
 }
 
 void CoupledRun::linearizeDrag()
@@ -64,10 +64,17 @@ void CoupledRun::linearizeDrag()
     step_.drag = active_.drag
         ? nscdCoupling::linearizeDrag(grains, step_.at, step_.force, lastContactForce_, dragModel(), deltaT)
         : noDrag(grains);
+    ranks_.exchange()->max(&step_.drag.largestStiffness, 1);
     if (!feedsBack()) return;
 
     step_.response = isLagAllowed() ? laggedResponse(grains) : predictResponse();
-    handOver(grains, step_.drag, step_.response, debt_, immersion_->mapping, rho, deltaT, immersion_->sources);
+    double responds = step_.response.isZero ? 0 : 1;
+    ranks_.exchange()->max(&responds, 1);
+    step_.response.isZero = responds == 0;
+    handOver
+    (
+        grains, step_.drag, step_.response, debt_, immersion_->mapping, immersion_->atHome, rho, deltaT, immersion_->sources
+    );
 }
 
 bool CoupledRun::isLagAllowed() const
@@ -75,11 +82,13 @@ bool CoupledRun::isLagAllowed() const
     if (step_.drag.largestStiffness > weakDrag) return false;
     const ::nscd::Grains& grains = dynamics_->grains();
     const scalar rho = immersion_->fluid->rho().value();
+    double heaviestFluid = 0;
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
-        if (!grains.isFixed[i] && rho*grains.volume(i) > lightFluid*grains.mass[i]) return false;
+        if (!grains.isFixed[i]) heaviestFluid = std::max(heaviestFluid, rho*grains.volume(i)/grains.mass[i]);
     }
-    return true;
+    ranks_.exchange()->max(&heaviestFluid, 1);
+    return heaviestFluid <= lightFluid;
 }
 
 GrainResponse CoupledRun::predictResponse()
@@ -127,7 +136,7 @@ void CoupledRun::fluidForces()
         return;
     }
     const volScalarField* alpha = feedsBack() ? &immersion_->sources.alpha : nullptr;
-    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, immersion_->mapping, active_, step_.at);
+    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, immersion_->mapping, immersion_->atHome, active_, step_.at);
     step_.force = steadyForces(grains, step_.at, active_, immersion_->fluid->rho().value(), gravity_);
 }
 
@@ -186,21 +195,22 @@ void CoupledRun::recordFluidForce()
 void CoupledRun::settleDebt()
 {
     const scalar deltaT = time_.deltaTValue();
-    Vec3 paidSum = Vec3::Zero(), oldDebt = Vec3::Zero();
-    scalar received = 0, momentum = 0;
+    Vec3 balance = Vec3::Zero();
+    double sizes[2] = {0, 0};   // of what grains received, and of what they carry [N s]
     for (std::size_t i = 0; i < step_.received.size(); ++i)
     {
         const Vec3& u = step_.at.velocity[i];
         const Vec3 gradient = active_.pressureGradient ? step_.at.pressureGradient[i] : Vec3(Vec3::Zero());
         const Vec3 paid = deltaT*paidDrag(step_.drag, step_.response, step_.startVelocity[i], i, u, gradient);
-        paidSum += paid;
-        oldDebt += debt_[i];
-        received += step_.received[i].norm();
-        momentum += dynamics_->grains().mass[i]*step_.startVelocity[i].norm();
+        balance += paid - debt_[i];
+        sizes[0] += step_.received[i].norm();
+        sizes[1] += dynamics_->grains().mass[i]*step_.startVelocity[i].norm();
         debt_[i] = paid - step_.received[i];
     }
-    const Vec3 spread = deltaT*toVec3(step_.spreadForce);
-    step_.momentumError = (spread + paidSum - oldDebt).norm()/std::max({received, momentum, VSMALL});
+    ranks_.exchange()->sum(balance.data(), 3);
+    ranks_.exchange()->sum(sizes, 2);
+    balance += deltaT*toVec3(step_.spreadForce);
+    step_.momentumError = balance.norm()/std::max({sizes[0], sizes[1], VSMALL});
 }
 
 void CoupledRun::depositGrains()
@@ -214,6 +224,13 @@ void CoupledRun::depositGrains()
         return;
     }
     if (immersion_->sources.isStatic) return;
+    if (homes_)
+    {
+        removeExited(cellsElsewhere());
+        updateWeightsAtHome();
+        if (!hasGrains()) immersion_->sources.clear();
+        return;
+    }
     updateWeights();
     if (immersion_->mapping.report().outsideMesh.empty()) return;
     removeExited(immersion_->mapping.cells());
@@ -223,7 +240,14 @@ void CoupledRun::depositGrains()
 
 void CoupledRun::updateWeights()
 {
-    immersion_->mapping.update(dynamics_->grains(), scene_.box);
+    if (homes_) homes_->update(dynamics_->grains());
+    updateWeightsAtHome();
+}
+
+void CoupledRun::updateWeightsAtHome()
+{
+    const ::nscd::Grains& own = dynamics_->grains();
+    immersion_->mapping.update(homes_ ? immersion_->atHome.update(own, homes_->homes()) : own, scene_.box);
     if (feedsBack()) immersion_->mapping.voidFraction(immersion_->sources.alpha);
 }
 

@@ -33,6 +33,7 @@ void CoupledRun::setState(const GrainState& state)
     lastContactForce_ = state.extras.vectors.at(contactForceField);
     fluidForce_ = state.extras.vectors.at(fluidForceField);
     if (homes_) homes_->forget();
+    if (hasFluid() && hasGrains()) updateWeights();
 }
 
 void CoupledRun::balanceRanks()

@@ -68,6 +68,8 @@ FluidSummary CoupledRun::describeFluid() const
         }
         summary.fluidForce += toFoam(fluidForce_[i]);
     }
+    reduce(summary.slipMax, maxOp<scalar>());
+    reduce(summary.fluidForce, sumOp<vector>());
     summary.dragRatioMax = step_.drag.largestStiffness;
     summary.predictorSweeps = step_.predictorSweeps;
     summary.predictorConverged = step_.predictorConverged;

@@ -17,11 +17,12 @@ namespace nscdCoupling
 namespace
 {
 
-scalar meanDiameter(const ::nscd::Grains& grains)
+scalar meanDiameter(const ::nscd::Grains& grains, const ::nscd::Exchange& exchange)
 {
-    scalar sum = 0;
-    for (double radius : grains.radius) sum += 2*radius;
-    return grains.size() > 0 ? sum/grains.size() : 0;
+    double sums[2] = {0, double(grains.size())};
+    for (double radius : grains.radius) sums[0] += 2*radius;
+    exchange.sum(sums, 2);
+    return sums[1] > 0 ? sums[0]/sums[1] : 0;
 }
 
 /// The time that a directory's name gives has lost digits; a directory that was renamed, to start anew at 0 say, keeps its name.
@@ -30,13 +31,15 @@ void continueTime(Time& time, scalar written)
     if (Time::timeName(written) == time.timeName()) time.setTime(written, time.timeIndex());
 }
 
-bool areAllFixed(const ::nscd::Grains& grains)
+bool areAllFixed(const ::nscd::Grains& grains, const ::nscd::Exchange& exchange)
 {
+    double anyFree = 0;
     for (std::uint8_t isFixed : grains.isFixed)
     {
-        if (!isFixed) return false;
+        if (!isFixed) anyFree = 1;
     }
-    return true;
+    exchange.max(&anyFree, 1);
+    return anyFree == 0;
 }
 
 ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool hasFriction)
@@ -55,10 +58,11 @@ GrainProperties readRunnable(const Time& time)
 
 } // namespace
 
-Immersion::Immersion(fvMesh& mesh, const dictionary& voidFraction)
+Immersion::Immersion(fvMesh& mesh, const dictionary& voidFraction, GrainsAtHome atHomeHere)
 :
     sources(mesh),
-    mapping(mesh, voidFraction)
+    mapping(mesh, voidFraction),
+    atHome(std::move(atHomeHere))
 {}
 
 CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
@@ -73,9 +77,9 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     log_(time, Info, properties_.solvesFluid)
 {
     startGrains();
+    if (ranks_.isParallel()) homes_ = std::make_unique<GrainHomes>(mesh, ranks_.tree());
     if (properties_.solvesFluid) startFluid();
-    else if (ranks_.isParallel()) homes_ = std::make_unique<GrainHomes>(mesh, ranks_.tree());
-    else if (hasExits()) locations_ = std::make_unique<GrainLocations>(mesh);
+    else if (!ranks_.isParallel() && hasExits()) locations_ = std::make_unique<GrainLocations>(mesh);
     report_ = std::make_unique<GrainReport>(time);
     logScene(Info, properties_, scene_, sumGrains(dynamics_->grains(), *ranks_.exchange()), mesh, hasGrainState(mesh));
 }
@@ -121,10 +125,14 @@ void CoupledRun::startGrains()
 void CoupledRun::startFluid()
 {
     const ::nscd::Grains& grains = dynamics_->grains();
-    immersion_ = std::make_unique<Immersion>(mesh_, properties_.voidFraction.forMapping(meanDiameter(grains)));
+    const dictionary voidFraction = properties_.voidFraction.forMapping(meanDiameter(grains, *ranks_.exchange()));
+    immersion_ = std::make_unique<Immersion>
+    (
+        mesh_, voidFraction, ranks_.isParallel() ? GrainsAtHome(ranks_.tree()) : GrainsAtHome()
+    );
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
-    sources.isStatic = hasGrains() && areAllFixed(grains);
+    sources.isStatic = hasGrains() && areAllFixed(grains, *ranks_.exchange());
     sources.hasResponse = feedsBack() && !sources.isStatic;
     if (hasGrains()) updateWeights();
     checkFieldDimensions(mesh_);

@@ -13,11 +13,10 @@ namespace nscdCoupling
 
 void sampleFluid
 (
-    const FluidSolver& fluid, const volScalarField* alpha, const GrainMapping& mapping, const ActiveForces& active,
-    FluidAtGrains& at
+    const FluidSolver& fluid, const volScalarField* alpha, const GrainMapping& mapping, const GrainsAtHome& atHome,
+    const ActiveForces& active, FluidAtGrains& at
 )
 {
-    const std::size_t grains = mapping.cells().size();
     std::vector<ScalarSample> scalars;
     std::vector<VectorSample> vectors;
     tmp<volScalarField> nu;
@@ -43,7 +42,11 @@ void sampleFluid
     }
     mapping.sample(scalars, vectors);
 
-    if (active.drag && !alpha) at.fluidFraction.assign(grains, 1.0);
+    GrainValues sampled;
+    for (const ScalarSample& field : scalars) sampled.scalars.push_back(&field.grains);
+    for (const VectorSample& field : vectors) sampled.vectors.push_back(&field.grains);
+    atHome.toOwners(sampled);
+    if (active.drag && !alpha) at.fluidFraction.assign(at.velocity.size(), 1.0);
     for (scalar& viscosity : at.viscosity) viscosity *= fluid.rho().value();
 }
 

@@ -59,10 +59,13 @@ GrainAmounts amountsOf
 void handOver
 (
     const ::nscd::Grains& grains, const LinearDrag& drag, const GrainResponse& response, const std::vector<Vec3>& debt,
-    const GrainMapping& mapping, scalar fluidDensity, scalar deltaT, GrainSources& sources
+    const GrainMapping& mapping, const GrainsAtHome& atHome, scalar fluidDensity, scalar deltaT, GrainSources& sources
 )
 {
-    const GrainAmounts amounts = amountsOf(grains, drag, response, debt, fluidDensity, deltaT);
+    GrainAmounts amounts = amountsOf(grains, drag, response, debt, fluidDensity, deltaT);
+    GrainValues values{{&amounts.drag}, {&amounts.acceleration, &amounts.carried}};
+    if (!response.isZero) values.scalars.insert(values.scalars.end(), {&amounts.pressure, &amounts.slip, &amounts.mobility});
+    atHome.toHomes(values);
     std::vector<ScalarSpread> scalars{{amounts.drag, sources.drag.primitiveFieldRef()}};
     const std::vector<VectorSpread> vectors
     {
@@ -94,6 +97,7 @@ vector spreadForce(const GrainSources& sources, const FluidSolver& fluid)
         force += volume[j]
             *(fluid.rho().value()*(sources.acceleration[j] - sources.drag[j]*u[j]) - sources.pressure[j]*gradient[j]);
     }
+    reduce(force, sumOp<vector>());
     return force;
 }
 
