@@ -2,15 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The grains' time step.
-#include "grainDynamics.hpp"
+#include "grainDynamicsParts.hpp"
 
-#include "contactList.hpp"
-#include "contactSolver.hpp"
-#include "contactStep.hpp"
 #include "invalidValue.hpp"
 #include "stopwatch.hpp"
-#include "storedImpulses.hpp"
-#include "sweepKernels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,45 +23,6 @@ constexpr double stepsPerList = 2.0;
 constexpr int maxListRebuilds = 6;
 
 } // namespace
-
-struct GrainDynamics::Implementation
-{
-    Grains grains;
-    Materials materials;
-    Walls walls;
-    PeriodicBox box;
-    ContactSettings settings;
-    std::shared_ptr<Exchange> exchange;
-
-    ContactSolver solve;
-    SweepKernels kernels;
-    bool isFrictional;
-    double diameter = 1.0;
-
-    ContactList list;
-    bool isListStale = true;
-    double deltaT = 0.0;          // of the step begun
-    double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
-    ImpulseRecord restored;
-    ContactForces forces;
-    StepTimes times;
-
-    Scene scene() const { return {grains, materials, walls, box}; }
-    ContactProblem makeProblem(double speedScale)
-    {
-        return {list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter};
-    }
-    double deadBand() const { return settings.deadBand*diameter; }
-
-    void measureDiameter();
-    void clearForces();
-    void rebuildList(const std::vector<Vec3>& velocity);
-    SolveReport solveVelocities(const ExternalForces& external);
-    double measureMotion(double speedScale) const;
-    SolveReport solveOnce(const ExternalForces& external);
-    void rebound(const ExternalForces& external, SolveReport& report);
-    void correctPositions(StepReport& report);
-};
 
 void GrainDynamics::Implementation::measureDiameter()
 {
@@ -189,61 +145,6 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
     report.overlapMean = overlap.mean;
 }
 
-GrainDynamics::GrainDynamics
-(
-    Grains grains, Materials materials, Walls walls, PeriodicBox box,
-    ContactSettings settings, std::shared_ptr<Exchange> exchange
-)
-:
-    self_(std::make_unique<Implementation>())
-{
-    self_->grains = std::move(grains);
-    self_->materials = std::move(materials);
-    self_->walls = std::move(walls);
-    self_->box = box;
-    self_->settings = settings;
-    self_->exchange = std::move(exchange);
-    if (self_->exchange->isParallel() && settings.solver != "NLGS")
-    {
-        throw invalidValue("contact solver", settings.solver, "NLGS where there are several ranks");
-    }
-    self_->solve = findContactSolver(settings.solver);
-    self_->kernels = chooseKernels(settings.vectorPath.c_str());
-    self_->isFrictional = self_->materials.anyFriction();
-    self_->measureDiameter();
-    self_->clearForces();
-}
-
-GrainDynamics::~GrainDynamics() = default;
-
-const Grains& GrainDynamics::grains() const { return self_->grains; }
-
-void GrainDynamics::setGrains(Grains grains)
-{
-    double lastDeltaT;
-    const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
-    self_->grains = std::move(grains);
-    self_->clearForces();
-    restore(impulses, lastDeltaT);
-}
-
-std::vector<double> GrainDynamics::loads() const
-{
-    const ContactList& list = self_->list;
-    std::vector<double> load(self_->grains.size(), 1.0);
-    if (self_->isListStale) return load;
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
-    {
-        if (!list.isUsed(slot)) continue;
-        const ContactBlock& block = list.blocks[slot/blockLanes];
-        for (std::int32_t body : {block.a[slot % blockLanes], block.b[slot % blockLanes]})
-        {
-            if (body < list.owned()) load[list.grainOf[body]] += 0.5;
-        }
-    }
-    return load;
-}
-
 void GrainDynamics::beginStep(double deltaT)
 {
     if (!(deltaT > 0.0) || !std::isfinite(deltaT)) throw invalidValue("time step", deltaT, "a finite value > 0 s");
@@ -296,47 +197,6 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);
     return report;
-}
-
-const std::vector<Vec3>& GrainDynamics::contactForce() const { return self_->forces.force; }
-const std::vector<Vec3>& GrainDynamics::contactTorque() const { return self_->forces.torque; }
-const std::vector<Vec3>& GrainDynamics::wallForce() const { return self_->forces.wall; }
-const StepTimes& GrainDynamics::times() const { return self_->times; }
-
-std::vector<LoadedContact> GrainDynamics::contacts() const
-{
-    const ContactList& list = self_->list;
-    std::vector<LoadedContact> loaded;
-    for (const SlotImpulse& entry : loadedSlots(list))
-    {
-        const ContactBlock& block = list.blocks[entry.slot/blockLanes];
-        const int lane = entry.slot % blockLanes;
-        const std::int64_t idB = entry.pair.b < 0 ? entry.pair.b : list.id[block.b[lane]];
-        loaded.push_back
-        (
-            {entry.pair.a, entry.pair.b, list.id[block.a[lane]], idB, normal(list, entry.slot), list.gap[entry.slot], entry.pair.impulse}
-        );
-    }
-    return loaded;
-}
-
-std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
-{
-    Implementation& self = *self_;
-    lastDeltaT = self.impulseDeltaT;
-    if (!self.isListStale) self.restored = collectImpulses(self.list);
-    self.isListStale = true;
-
-    return byIdentity(self.restored, self.grains);
-}
-
-void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double lastDeltaT)
-{
-    Implementation& self = *self_;
-    self.restored = byIndex(impulses, self.grains);
-    self.impulseDeltaT = lastDeltaT;
-    self.list = ContactList();
-    self.isListStale = true;
 }
 
 } // namespace nscd

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Making grain dynamics, looking at it, and storing it.
+#include "grainDynamicsParts.hpp"
+
+#include "invalidValue.hpp"
+#include "sweepKernels.hpp"
+
+namespace nscd
+{
+
+GrainDynamics::GrainDynamics
+(
+    Grains grains, Materials materials, Walls walls, PeriodicBox box,
+    ContactSettings settings, std::shared_ptr<Exchange> exchange
+)
+:
+    self_(std::make_unique<Implementation>())
+{
+    self_->grains = std::move(grains);
+    self_->materials = std::move(materials);
+    self_->walls = std::move(walls);
+    self_->box = box;
+    self_->settings = settings;
+    self_->exchange = std::move(exchange);
+    if (self_->exchange->isParallel() && settings.solver != "NLGS")
+    {
+        throw invalidValue("contact solver", settings.solver, "NLGS where there are several ranks");
+    }
+    self_->solve = findContactSolver(settings.solver);
+    self_->kernels = chooseKernels(settings.vectorPath.c_str());
+    self_->isFrictional = self_->materials.anyFriction();
+    self_->measureDiameter();
+    self_->clearForces();
+}
+
+GrainDynamics::~GrainDynamics() = default;
+
+const Grains& GrainDynamics::grains() const { return self_->grains; }
+
+void GrainDynamics::setGrains(Grains grains)
+{
+    double lastDeltaT;
+    const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
+    self_->grains = std::move(grains);
+    self_->clearForces();
+    restore(impulses, lastDeltaT);
+}
+
+std::vector<double> GrainDynamics::loads() const
+{
+    const ContactList& list = self_->list;
+    std::vector<double> load(self_->grains.size(), 1.0);
+    if (self_->isListStale) return load;
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot)) continue;
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        for (std::int32_t body : {block.a[slot % blockLanes], block.b[slot % blockLanes]})
+        {
+            if (body < list.owned()) load[list.grainOf[body]] += 0.5;
+        }
+    }
+    return load;
+}
+
+const std::vector<Vec3>& GrainDynamics::contactForce() const { return self_->forces.force; }
+const std::vector<Vec3>& GrainDynamics::contactTorque() const { return self_->forces.torque; }
+const std::vector<Vec3>& GrainDynamics::wallForce() const { return self_->forces.wall; }
+const StepTimes& GrainDynamics::times() const { return self_->times; }
+
+std::vector<LoadedContact> GrainDynamics::contacts() const
+{
+    const ContactList& list = self_->list;
+    std::vector<LoadedContact> loaded;
+    for (const SlotImpulse& entry : loadedSlots(list))
+    {
+        const ContactBlock& block = list.blocks[entry.slot/blockLanes];
+        const int lane = entry.slot % blockLanes;
+        const std::int64_t idB = entry.pair.b < 0 ? entry.pair.b : list.id[block.b[lane]];
+        loaded.push_back
+        (
+            {entry.pair.a, entry.pair.b, list.id[block.a[lane]], idB, normal(list, entry.slot), list.gap[entry.slot], entry.pair.impulse}
+        );
+    }
+    return loaded;
+}
+
+std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
+{
+    Implementation& self = *self_;
+    lastDeltaT = self.impulseDeltaT;
+    if (!self.isListStale) self.restored = collectImpulses(self.list);
+    self.isListStale = true;
+
+    return byIdentity(self.restored, self.grains);
+}
+
+void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double lastDeltaT)
+{
+    Implementation& self = *self_;
+    self.restored = byIndex(impulses, self.grains);
+    self.impulseDeltaT = lastDeltaT;
+    self.list = ContactList();
+    self.isListStale = true;
+}
+
+} // namespace nscd
