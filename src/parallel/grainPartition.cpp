@@ -127,6 +127,7 @@ void narrow(Bracket& bracket, double target, const Communicator& group, const st
 std::vector<Ticket> halve(const RankLevel& level, std::vector<Ticket> tickets)
 {
     Bracket bracket = longestAxis(level.group, tickets);
+    if (bracket.lower > bracket.upper) return tickets;  // none in the group; its ends are infinite, and no number to reckon with
     const double target = targetBelow(level, tickets);
     for (int round = 0; round < maxRounds && bracket.count > 1.0; ++round) narrow(bracket, target, level.group, tickets);
     const bool isLowerNearer = target - bracket.weightBelow < bracket.weightBelow + bracket.weight - target;

@@ -79,7 +79,7 @@ TEST(ExampleFile, showsEveryKeyword)
     const std::vector<std::string> paths =
     {
         "", "materials/glass", "contacts/default", "contacts/glass-steel", "planes/lid", "forces", "forces/drag",
-        "voidFraction", "timeStep", "solver"
+        "voidFraction", "timeStep", "solver", "parallel"
     };
     for (const std::string& path : paths)
     {
@@ -137,6 +137,7 @@ TEST(ExampleFile, statesTheDefaults)
     EXPECT_EQ(example.maxInitialOverlap, first.maxInitialOverlap);
     EXPECT_EQ(example.solvesFluid, first.solvesFluid);
     EXPECT_EQ(example.hasFeedback, first.hasFeedback);
+    EXPECT_EQ(example.maxLoadImbalance, first.maxLoadImbalance);
     EXPECT_EQ(example.materials.table.pair(0, 0).restitution, first.materials.table.pair(0, 0).restitution);
 
     const GrainSource& bed = example.sources.at(0);

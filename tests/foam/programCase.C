@@ -24,15 +24,6 @@ namespace testing
 namespace
 {
 
-BoxMeshSettings boxWithInletAndOutlet()
-{
-    BoxMeshSettings settings;
-    settings.cells = labelVector(4, 4, 8);
-    settings.max = point(0.1, 0.1, 0.2);
-    settings.patchTypes = {"wall", "wall", "wall", "wall", "patch", "patch"};
-    return settings;
-}
-
 Files defaultFiles()
 {
     return
@@ -67,9 +58,18 @@ Files defaultFiles()
 
 } // namespace
 
-ProgramCase::ProgramCase(const Files& files, const std::string& control)
+BoxMeshSettings programBox()
+{
+    BoxMeshSettings settings;
+    settings.cells = labelVector(4, 4, 8);
+    settings.max = point(0.1, 0.1, 0.2);
+    settings.patchTypes = {"wall", "wall", "wall", "wall", "patch", "patch"};
+    return settings;
+}
+
+ProgramCase::ProgramCase(const Files& files, const std::string& control, const BoxMeshSettings& box)
 :
-    box_(boxWithInletAndOutlet())
+    box_(box)
 {
     Files all = defaultFiles();
     for (const auto& file : files) all[file.first] = file.second;
@@ -93,14 +93,36 @@ void ProgramCase::writeControl(const std::string& more) const
     );
 }
 
+ProgramRun ProgramCase::execute(const std::string& command, const std::string& name) const
+{
+    const fileName log = path("log." + name);
+    const int status = std::system((command + " > " + log + " 2>&1 < /dev/null").c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents("log." + name)};
+}
+
 ProgramRun ProgramCase::run(const std::string& program, const std::string& arguments) const
 {
     const fileName own = fileName(Foam::getEnv("FOAM_USER_APPBIN"))/program;
-    const fileName log = path("log." + program);
-    const std::string command = (isFile(own) ? std::string(own) : program)
-        + " -case " + box_.casePath() + " " + arguments + " > " + log + " 2>&1 < /dev/null";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents("log." + program)};
+    return execute((isFile(own) ? std::string(own) : program) + " -case " + box_.casePath() + " " + arguments, program);
+}
+
+ProgramRun ProgramCase::decompose(const labelVector& parts, const std::string& arguments) const
+{
+    std::ostringstream text;
+    text << "numberOfSubdomains " << cmptProduct(parts) << "; method simple; simpleCoeffs { delta 0.001; n ("
+        << parts.x() << ' ' << parts.y() << ' ' << parts.z() << "); }";
+    write("system/decomposeParDict", text.str());
+    return run("decomposePar", arguments);
+}
+
+ProgramRun ProgramCase::runOn(label ranks, const std::string& arguments) const
+{
+    // More ranks than cores is fine here; in a container without users, everybody is root.
+    std::ostringstream command;
+    command << "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout 200 mpirun --oversubscribe"
+        << " --mca mpi_yield_when_idle 1 -np " << ranks << " " << std::string(Foam::getEnv("FOAM_USER_APPBIN"))
+        << "/nscdDEMFoam -case " << box_.casePath() << " " << arguments;
+    return execute(command.str(), "ranks");
 }
 
 std::string ProgramCase::contents(const fileName& file) const
@@ -109,9 +131,9 @@ std::string ProgramCase::contents(const fileName& file) const
     return std::string((std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>());
 }
 
-std::string ProgramCase::latestTime() const
+std::string ProgramCase::latestTime(const fileName& folder) const
 {
-    return Time::findTimes(box_.casePath()).last().name();
+    return Time::findTimes(path(folder)).last().name();
 }
 
 std::vector<double> ProgramCase::reported(const std::string& startTime, const std::string& column) const

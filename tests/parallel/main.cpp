@@ -6,6 +6,7 @@
 
 #include <mpi.h>
 
+#include <cfenv>
 #include <cstdio>
 
 namespace
@@ -31,6 +32,9 @@ private:
 int main(int argc, char** argv)
 {
     MPI_Init(&argc, &argv);
+#ifdef __GLIBC__
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);  // as OpenFOAM does: ranks without grains must not reckon with infinity
+#endif
     testing::InitGoogleTest(&argc, argv);
     int rank = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // nscdDEMFoam: rigid grains with hard frictional contact in a volume-averaged incompressible fluid.
+#include "case/decomposedTimes.H"
 #include "case/parallelRefusal.H"
 #include "step/coupledRun.H"
 
@@ -37,6 +38,7 @@ int main(int argc, char* argv[])
 
     nscdCoupling::refuseLoneRanks(argc, argv);
     #include "setRootCase.H"
+    nscdCoupling::completeTimes(args);
     #include "createTime.H"
     fvMesh mesh(IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));
 

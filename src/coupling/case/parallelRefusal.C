@@ -6,6 +6,7 @@
 
 #include "Pstream.H"
 #include "error.H"
+#include "uncollatedFileOperation.H"
 
 #include <cstdlib>
 #include <cstring>
@@ -42,9 +43,16 @@ void refuseLoneRanks(int argc, char* argv[])
 }
 
 
-void refuseFluidOnRanks(const GrainProperties& properties)
+void refuseOnRanks(const GrainProperties& properties)
 {
-    if (!Pstream::parRun() || !properties.solvesFluid) return;
+    if (!Pstream::parRun()) return;
+    if (fileHandler().type() != fileOperations::uncollatedFileOperation::typeName)
+    {
+        FatalErrorIn("nscdDEMFoam")
+            << "Grains on several ranks are written and read with `-fileHandler uncollated` only, one folder for each processor; this "
+            << "run asks for " << fileHandler().type() << "." << exit(FatalError);
+    }
+    if (!properties.solvesFluid) return;
     FatalErrorIn("nscdDEMFoam")
         << "A run with a fluid works on one rank only in this version; several ranks can run grains alone, with `fluid none;` in "
         << "constant/grainProperties. A decomposed case can be put together again by reconstructPar." << exit(FatalError);

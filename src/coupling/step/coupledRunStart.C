@@ -52,7 +52,7 @@ ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool hasFr
 GrainProperties readRunnable(const Time& time)
 {
     GrainProperties properties = readGrainProperties(time);
-    refuseFluidOnRanks(properties);
+    refuseOnRanks(properties);
     return properties;
 }
 

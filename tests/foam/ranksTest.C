@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Tests of nscdDEMFoam on 2 to 4 ranks: the same grains as on one, restarts on the same and on other numbers, and what is refused.
+#include "caseTools.H"
+#include "programCase.H"
+
+#include "IFstream.H"
+#include "OSspecific.H"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+using namespace Foam;
+using namespace Foam::nscdCoupling::testing;
+
+namespace
+{
+
+constexpr double diameter = 0.023;
+
+const std::string glass = "materials { glass { density 2500; } } contacts { default { friction 0.3; } } fluid none;";
+const std::string closed = "patches { front { type wall; } back { type exit; } }";
+
+/// 64 spheres that fall onto the floor and each other.
+const std::string heap = glass
+    + "grains { type lattice; box (0 0 0) (0.1 0.1 0.1); count (4 4 4); diameter 0.023; spread 0.04; jitter 0.7; "
+    "velocity (0.1 0.05 -0.5); }";
+
+Files dryFiles(const std::string& properties)
+{
+    Files files{{"constant/grainProperties", properties}};
+    for (const char* file : {"constant/transportProperties", "constant/turbulenceProperties", "0/U", "0/p_rgh"}) files[file] = "";
+    return files;
+}
+
+::testing::AssertionResult succeeds(const ProgramRun& run)
+{
+    return run.status == 0 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << run.status << ": " << run.log;
+}
+
+double largest(const std::vector<double>& values)
+{
+    double most = 0;
+    for (double value : values) most = std::max(most, std::abs(value));
+    return most;
+}
+
+/// Largest difference of a column in the first rows.
+double difference(const ProgramCase& a, const ProgramCase& b, const std::string& column, std::size_t rows)
+{
+    const std::vector<double> x = a.reported("0", column), y = b.reported("0", column);
+    EXPECT_GE(std::min(x.size(), y.size()), rows) << column;
+    double most = 0;
+    for (std::size_t k = 0; k < std::min({x.size(), y.size(), rows}); ++k) most = std::max(most, std::abs(x[k] - y[k]));
+    return most;
+}
+
+/// The same run as on one rank: grains in every step to the last; where they are and what they press in the `smooth` first steps,
+/// while solves that end at the same tolerance stay alike; the heap they make after.
+void expectSameMotion(const ProgramCase& alone, const ProgramCase& together, std::size_t smooth)
+{
+    const std::size_t all = alone.reported("0", "grains").size();
+    EXPECT_EQ(difference(alone, together, "grains", all), 0);
+    EXPECT_EQ(difference(alone, together, "exited", all), 0);
+    EXPECT_LT(difference(alone, together, "grainVolume", all), 1e-12*largest(alone.reported("0", "grainVolume")));
+    for (const char* axis : {"X", "Y", "Z"})
+    {
+        const std::string center = std::string("massCenter") + axis, force = std::string("wallForce") + axis;
+        EXPECT_LT(difference(alone, together, center, smooth), 1e-4*diameter) << axis;
+        EXPECT_LT(difference(alone, together, force, smooth), 0.01*largest(alone.reported("0", "wallForceZ")) + 1e-9) << axis;
+        EXPECT_LT(difference(alone, together, center, all), 1e-2*diameter) << axis;
+    }
+    EXPECT_LT(difference(alone, together, "kineticEnergy", all), 0.01*largest(alone.reported("0", "kineticEnergy")));
+    const double contacts = alone.reported("0", "contacts").back();
+    EXPECT_NEAR(together.reported("0", "contacts").back(), contacts, 0.1*contacts);
+    EXPECT_LT(largest(together.reported("0", "overlapMax")), 1e-3);
+}
+
+/// Files of a written time of two cases that differ, or that are missing.
+std::vector<std::string> filesThatDiffer(const ProgramCase& a, const ProgramCase& b, label ranks, const std::string& time)
+{
+    std::vector<std::string> different;
+    for (label rank = 0; rank < ranks; ++rank)
+    {
+        for (const char* file : {"grains/position", "grains/U", "grains/omega", "grains/origId", "contacts/impulse", "contacts/idB"})
+        {
+            const std::string path = "processor" + std::to_string(rank) + "/" + time + "/lagrangian/" + file;
+            const std::string contents = a.contents(path);
+            if (contents.empty() || contents != b.contents(path)) different.push_back(path);
+        }
+    }
+    return different;
+}
+
+/// Contacts of grains with walls in one folder's written time: ids of grain and wall region.
+std::set<std::pair<label, label>> wallContacts(const ProgramCase& c, const std::string& time)
+{
+    const auto read = [&](const std::string& field)
+    {
+        IFstream is(c.path(time + "/lagrangian/contacts/" + field));
+        token head(is);
+        const dictionary header(is);
+        return labelList(is);
+    };
+    const labelList idA = read("idA"), idB = read("idB");
+    std::set<std::pair<label, label>> contacts;
+    forAll(idA, k)
+    {
+        if (idB[k] < 0) contacts.emplace(idA[k], idB[k]);
+    }
+    return contacts;
+}
+
+/// The values of a column over runs that continue one another.
+std::vector<double> joined(const ProgramCase& c, const std::vector<std::string>& startTimes, const std::string& column)
+{
+    std::vector<double> values;
+    for (const std::string& start : startTimes)
+    {
+        for (double value : c.reported(start, column)) values.push_back(value);
+    }
+    return values;
+}
+
+} // namespace
+
+TEST(Ranks, moveTheGrainsOfABoxAsOneRankDoes)
+{
+    const std::string control = "writeFormat binary; endTime 0.014; writeInterval 14;";
+    const ProgramCase alone(dryFiles(heap + closed), control);
+    EXPECT_TRUE(succeeds(alone.run()));
+    // Cut across the heap; with parts of the mesh that hold no grain; with a corner of four ranks in the heap.
+    for (const labelVector& parts : {labelVector(2, 1, 1), labelVector(1, 1, 3), labelVector(2, 2, 1)})
+    {
+        const label ranks = cmptProduct(parts);
+        SCOPED_TRACE(ranks);
+        const ProgramCase together(dryFiles(heap + closed), control);
+        EXPECT_TRUE(succeeds(together.decompose(parts)));
+        EXPECT_TRUE(succeeds(together.runOn(ranks)));
+        expectSameMotion(alone, together, 8);
+        if (ranks != 3) continue;
+
+        const ProgramCase again(dryFiles(heap + closed), control);
+        EXPECT_TRUE(succeeds(again.decompose(parts)));
+        EXPECT_TRUE(succeeds(again.runOn(ranks)));
+        EXPECT_EQ(again.contents("postProcessing/grains/0/report.csv"), together.contents("postProcessing/grains/0/report.csv"));
+        EXPECT_EQ(filesThatDiffer(again, together, ranks, again.latestTime("processor0")), std::vector<std::string>());
+    }
+}
+
+TEST(Ranks, numberTheWallsAsOneRankDoes)
+{
+    // Two of the sides are slanted, one is bent, and cuts run through all of them.
+    BoxMeshSettings box = programBox();
+    box.movePoint = [](const point& x) { return point(x.x() + 0.2*x.z(), x.y() - 0.1*std::abs(x.x() - 0.05), x.z()); };
+    const Files files = dryFiles(heap + closed + "grains { box (0.02 0 0.01) (0.1 0.094 0.09); diameter 0.0195; velocity (0.8 0.6 -0.4); }");
+    const std::string control = "endTime 0.02; deltaT 2e-3; writeInterval 10;";
+    const ProgramCase alone(files, control, box), together(files, control, box);
+    const ProgramRun serial = alone.run();
+    EXPECT_TRUE(succeeds(serial));
+    EXPECT_TRUE(succeeds(together.decompose(labelVector(2, 1, 2))));
+    const ProgramRun parallel = together.runOn(4);
+    EXPECT_TRUE(succeeds(parallel));
+    const std::size_t at = serial.log.find("  walls");
+    EXPECT_TRUE(holds(parallel.log, {serial.log.substr(at, serial.log.find('\n', at) - at)}));
+
+    const auto expected = wallContacts(alone, "0.02");
+    std::set<std::pair<label, label>> found;
+    std::set<label> regions;
+    for (label rank = 0; rank < 4; ++rank)
+    {
+        for (const auto& contact : wallContacts(together, "processor" + std::to_string(rank) + "/0.02")) found.insert(contact);
+    }
+    for (const auto& contact : expected) regions.insert(contact.second);
+    EXPECT_GE(regions.size(), 4u);
+    std::vector<std::pair<label, label>> different;
+    std::set_symmetric_difference(found.begin(), found.end(), expected.begin(), expected.end(), std::back_inserter(different));
+    EXPECT_LT(different.size(), expected.size()/10) << expected.size();
+}
+
+TEST(Ranks, shareAPeriodicBox)
+{
+    BoxMeshSettings box = programBox();
+    box.patchTypes = {"cyclic", "cyclic", "cyclic", "cyclic", "wall", "patch"};
+    const std::string properties = heap + "patches { back { type exit; } }", control = "endTime 0.008; writeInterval 8;";
+    const ProgramCase alone(dryFiles(properties), control, box), together(dryFiles(properties), control, box);
+    EXPECT_TRUE(succeeds(alone.run()));
+    EXPECT_TRUE(succeeds(together.decompose(labelVector(2, 2, 1))));
+    EXPECT_TRUE(succeeds(together.runOn(4)));
+    expectSameMotion(alone, together, 8);
+}
+
+TEST(Ranks, shareDiscs)
+{
+    BoxMeshSettings box = programBox();
+    box.cells = labelVector(6, 6, 1);
+    box.max = point(0.1, 0.2, 0.02);
+    box.patchTypes = {"wall", "wall", "wall", "wall", "empty", "empty"};
+    Files files = dryFiles
+    (
+        glass + "grains { type lattice; box (0 0 0) (0.1 0.15 0.02); count (6 9 1); diameter 0.0155; spread 0.03; jitter 0.5; "
+        "velocity (0.1 -0.5 0); }"
+    );
+    files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);";
+    const std::string control = "endTime 0.008; writeInterval 8;";
+    const ProgramCase alone(files, control, box), together(files, control, box);
+    EXPECT_TRUE(succeeds(alone.run()));
+    EXPECT_TRUE(succeeds(together.decompose(labelVector(3, 1, 1))));
+    EXPECT_TRUE(succeeds(together.runOn(3)));
+    const std::size_t steps = 8;
+    EXPECT_EQ(difference(alone, together, "grains", steps), 0);
+    for (const char* axis : {"X", "Y"})
+    {
+        const std::string center = std::string("massCenter") + axis, force = std::string("wallForce") + axis;
+        EXPECT_LT(difference(alone, together, center, steps), 1e-4*0.0155) << axis;
+        EXPECT_LT(difference(alone, together, force, steps), 0.01*largest(alone.reported("0", "wallForceY"))) << axis;
+    }
+    EXPECT_EQ(difference(alone, together, "massCenterZ", steps), 0);
+}
+
+TEST(Ranks, takeOutGrainsThatLeaveAndGoOnWithoutAny)
+{
+    // Fast enough to shorten the step, on all ranks alike.
+    const Files files = dryFiles(heap + closed + "grains { velocity (0 0 20); } timeStep { maxGrainDisplacement 0.5; }");
+    const std::string control = "adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 0.01;";
+    const ProgramCase alone(files, control), together(files, control);
+    EXPECT_TRUE(succeeds(alone.run()));
+    EXPECT_TRUE(succeeds(together.decompose(labelVector(1, 1, 2))));
+    EXPECT_TRUE(succeeds(together.runOn(2)));
+    for (const char* column : {"grains", "exited"}) EXPECT_EQ(alone.reported("0", column), together.reported("0", column));
+    EXPECT_LT(difference(alone, together, "deltaT", alone.reported("0", "deltaT").size()), 1e-12);
+    EXPECT_LT(together.reported("0", "deltaT").at(5), 0.7e-3);
+    EXPECT_EQ(together.reported("0", "exited").back(), 64);
+    EXPECT_GT(together.reported("0", "exited").at(10), 0);
+    EXPECT_LT(together.reported("0", "exited").at(10), 64);
+    together.writeControl("endTime 0.012;");
+    EXPECT_TRUE(succeeds(together.runOn(2)));
+    EXPECT_EQ(together.reported("0.01", "exited").back(), 64);
+}
+
+TEST(Ranks, mayOutnumberTheGrains)
+{
+    const Files files = dryFiles
+    (
+        glass + closed + "grains { type lattice; box (0 0 0) (0.1 0.1 0.05); count (2 1 1); diameter 0.0499; velocity (0 0 -1); }"
+    );
+    const ProgramCase alone(files), together(files);
+    EXPECT_TRUE(succeeds(alone.run()));
+    EXPECT_TRUE(succeeds(together.decompose(labelVector(4, 1, 1))));
+    EXPECT_TRUE(succeeds(together.runOn(4)));
+    expectSameMotion(alone, together, 10);
+}
+
+TEST(Ranks, goOnFromAWrittenTimeAsIfNeverStopped)
+{
+    const std::string control = "writeFormat binary; writeInterval 6; ";
+    const ProgramCase whole(dryFiles(heap + closed), control + "endTime 0.012;"), parts(dryFiles(heap + closed), control + "endTime 0.006;");
+    for (const ProgramCase* c : {&whole, &parts})
+    {
+        EXPECT_TRUE(succeeds(c->decompose(labelVector(2, 1, 1))));
+        EXPECT_TRUE(succeeds(c->runOn(2)));
+    }
+    parts.writeControl(control + "endTime 0.012;");
+    EXPECT_TRUE(succeeds(parts.runOn(2)));
+    EXPECT_EQ(parts.reported("0.006", "time").size(), 6u);
+    EXPECT_GT(whole.reported("0", "contacts").at(5), 10);
+    EXPECT_EQ(filesThatDiffer(whole, parts, 2, "0.012"), std::vector<std::string>());
+}
+
+TEST(Ranks, goOnOnAnotherNumberWithTheImpulses)
+{
+    const std::string control = "writeFormat binary; writeInterval 5; ";
+    const ProgramCase whole(dryFiles(heap + closed), control + "endTime 0.015;"), parts(dryFiles(heap + closed), control + "endTime 0.005;");
+    EXPECT_TRUE(succeeds(whole.run()));
+    EXPECT_TRUE(succeeds(parts.decompose(labelVector(2, 2, 1))));
+    EXPECT_TRUE(succeeds(parts.runOn(4)));
+    EXPECT_TRUE(succeeds(parts.run("reconstructPar", "-latestTime")));
+    parts.writeControl(control + "endTime 0.01;");
+    EXPECT_TRUE(succeeds(parts.run()));
+    // The upper half of the mesh holds no grain, and gets no file of them.
+    EXPECT_TRUE(succeeds(parts.decompose(labelVector(1, 1, 2))));
+    parts.writeControl(control + "endTime 0.015;");
+    EXPECT_TRUE(succeeds(parts.runOn(2)));
+
+    const std::vector<std::string> starts = {"0", "0.005", "0.01"};
+    const std::vector<double> force = whole.reported("0", "wallForceZ"), center = whole.reported("0", "massCenterZ");
+    const std::vector<double> sweeps = whole.reported("0", "sweeps");
+    ASSERT_EQ(joined(parts, starts, "time").size(), 15u);
+    for (std::size_t k = 0; k < 15; ++k)
+    {
+        EXPECT_NEAR(joined(parts, starts, "wallForceZ")[k], force[k], 0.02*largest(force)) << k;
+        EXPECT_NEAR(joined(parts, starts, "massCenterZ")[k], center[k], 1e-3*diameter) << k;
+    }
+    // The part on one rank begins with the impulses: with as many sweeps as the run that had them all the time.
+    EXPECT_NEAR(joined(parts, starts, "sweeps")[5], sweeps[5], 1 + 0.1*sweeps[5]);
+}
+
+TEST(Ranks, changeOwnersWhereLoadsAreUneven)
+{
+    // A dense heap beside a thin cloud: shared out by number at the start, by contacts later.
+    const Files files = dryFiles
+    (
+        glass + closed + "grains { heap { type lattice; box (0 0 0) (0.05 0.1 0.05); count (4 8 4); diameter 0.0124; } "
+        "cloud { type lattice; box (0.05 0 0.05) (0.1 0.1 0.2); count (4 4 8); diameter 0.004; } } "
+        "parallel { maxLoadImbalance 1.05; }"
+    );
+    const std::string control = "endTime 0.012; writeInterval 12;";
+    const ProgramCase alone(files, control), together(files, control);
+    EXPECT_TRUE(succeeds(alone.run()));
+    EXPECT_TRUE(succeeds(together.decompose(labelVector(2, 1, 1))));
+    const ProgramRun run = together.runOn(2);
+    EXPECT_TRUE(succeeds(run));
+    EXPECT_TRUE(holds(run.log, {"grains shared out anew"}));
+    expectSameMotion(alone, together, 12);
+}
+
+TEST(Ranks, refuseWhatTheyCannotRun)
+{
+    const ProgramCase wet;
+    EXPECT_TRUE(succeeds(wet.decompose(labelVector(2, 1, 1))));
+    const ProgramRun fluid = wet.runOn(2);
+    EXPECT_NE(fluid.status, 0);
+    EXPECT_TRUE(holds(fluid.log, {"with a fluid works on one rank only", "fluid none"}));
+    const ProgramRun collated = wet.runOn(2, "-parallel -fileHandler collated");
+    EXPECT_NE(collated.status, 0);
+    EXPECT_TRUE(holds(collated.log, {"uncollated"}));
+    const ProgramRun wrongNumber = wet.runOn(3);
+    EXPECT_NE(wrongNumber.status, 0);
+    EXPECT_TRUE(holds(wrongNumber.log, {"number of processor directories"}));
+}
+
+TEST(Ranks, checkTheFirstGrainsTogether)
+{
+    const ProgramCase c(dryFiles(glass + closed + "grains { type table; file \"grains.txt\"; }"));
+    EXPECT_TRUE(succeeds(c.decompose(labelVector(2, 1, 1))));
+    // Across the cut at x = 0.05, and at a wall.
+    std::ofstream(c.path("constant/grains.txt")) << "0.049 0.05 0.05 0.01\n0.055 0.05 0.05 0.01\n0.08 0.05 0.001 0.01\n";
+    ProgramRun run = c.runOn(2);
+    EXPECT_NE(run.status, 0);
+    EXPECT_TRUE(holds(run.log, {"is exceeded by 2 pairs", "grains 0 and 1 overlap by 0.4", "grain 2 and the wall front overlap by 0.4"}));
+    std::ofstream(c.path("constant/grains.txt")) << "0.05 0.05 0.05 0.01\n0.15 0.05 0.05 0.01\n";
+    run = c.runOn(2);
+    EXPECT_NE(run.status, 0);
+    EXPECT_TRUE(holds(run.log, {"puts 1 grains outside the mesh", "grain 1 at (0.15 0.05 0.05)"}));
+}
+
+TEST(Ranks, anErrorOnOneRankEndsAll)
+{
+    const Files files = dryFiles
+    (
+        glass + closed + "grains { type lattice; box (0 0 0.05) (0.1 0.1 0.08); count (4 2 1); diameter 0.01; }"
+    );
+    const ProgramCase c(files, "endTime 0.002; writeInterval 2;");
+    EXPECT_TRUE(succeeds(c.decompose(labelVector(2, 1, 1))));
+    EXPECT_TRUE(succeeds(c.runOn(2)));
+    c.writeControl("endTime 0.004;");
+    // A written time that one processor did not write to its end.
+    const std::string state = "processor1/0.002/uniform/grainState", contents = c.contents(state);
+    rm(c.path(state));
+    ProgramRun run = c.runOn(2);
+    EXPECT_NE(run.status, 0);
+    EXPECT_TRUE(holds(run.log, {"not written to its end", "of all processors"}));
+    std::ofstream(c.path(state)) << contents;
+    // Two grains in one place: the grain library throws on the rank that owns them.
+    const std::string file = "processor1/0.002/lagrangian/grains/position";
+    std::string positions = c.contents(file);
+    const std::size_t first = positions.find('(', positions.find("// *")) + 1;
+    const std::size_t a = positions.find('(', first), afterA = positions.find(')', a) + 1;
+    const std::size_t b = positions.find('(', afterA), afterB = positions.find(')', b) + 1;
+    positions.replace(b, afterB - b, positions.substr(a, afterA - a));
+    std::ofstream(c.path(file)) << positions;
+    run = c.runOn(2);
+    EXPECT_NE(run.status, 0);
+    EXPECT_NE(run.status, 124) << "hangs";
+    EXPECT_TRUE(holds(run.log, {"FOAM FATAL ERROR", "coincident centers"}));
+}
