@@ -34,14 +34,35 @@ scalar leavesTriangle(const Vec3* v, const Vec3& center, const Vec3& line, const
     return sign*a.dot(b.cross(c))/(weightA + weightB + weightC);
 }
 
+std::vector<Eigen::AlignedBox3d> haloBoxes(const MappingMesh& mesh)
+{
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (label cell = mesh.nOwnCells; cell < mesh.nCells(); ++cell)
+    {
+        Eigen::AlignedBox3d box;
+        for (label k = mesh.cellFaceStart[cell]; k < mesh.cellFaceStart[cell + 1]; ++k)
+        {
+            box.extend(mesh.faceBox[mesh.cellFaces[k].face]);
+        }
+        boxes.push_back(box);
+    }
+    return boxes;
+}
+
 } // namespace
 
 CellLocator::CellLocator(const MappingMesh& mappingMesh, const polyMesh& mesh)
 :
     mesh_(mappingMesh),
     polyMesh_(mesh),
-    middle_(mappingMesh.inPlane(toVec3(mesh.bounds().centre())))
-{}
+    middle_(mappingMesh.inPlane(toVec3(mesh.bounds().centre()))),
+    halo_(haloBoxes(mappingMesh))
+{
+    if (Pstream::parRun())
+    {
+        mesh.tetBasePtIs();  // collective, so not to be left to the first search
+    }
+}
 
 scalar CellLocator::exitFraction(const CellFace& cellFace, const Vec3& center, const Vec3& line) const
 {
@@ -90,6 +111,10 @@ LocatedPoint CellLocator::walkThroughCyclic(const label start, const Vec3& x) co
         {
             return at;
         }
+        if (exit->neighbor == beyondHalo)
+        {
+            stopBeyondHalo(x);
+        }
         if (exit->neighbor < 0)
         {
             break;
@@ -128,10 +153,36 @@ label CellLocator::search(const Vec3& x) const
         const label settled = walk(cell, x);
         return settled >= 0 ? settled : cell;
     }
+    if (const label haloCell = searchHalo(x); haloCell >= 0)
+    {
+        return preferOwn(haloCell, x);
+    }
     // The octree may miss a point on the border of the mesh; one just inside of it starts a walk.
     const Vec3 inside = x + 1e-9*(middle_ - x);
     const label nearby = polyMesh_.findCell(toFoam(inside));
     return nearby >= 0 ? walk(nearby, x) : -1;
+}
+
+label CellLocator::searchHalo(const Vec3& x) const
+{
+    const auto holds = [&](const int k) { return !exitFace(mesh_.nOwnCells + k, x); };
+    const int found = halo_.find(Eigen::AlignedBox3d(x), holds);
+    return found >= 0 ? mesh_.nOwnCells + found : -1;
+}
+
+// The octree may miss a point between an own cell and a halo cell. It is at home then: else two ranks could send a grain to
+// and fro for ever.
+label CellLocator::preferOwn(const label haloCell, const Vec3& x) const
+{
+    for (label k = mesh_.cellFaceStart[haloCell]; k < mesh_.cellFaceStart[haloCell + 1]; ++k)
+    {
+        const CellFace& cellFace = mesh_.cellFaces[k];
+        if (mesh_.isOwn(cellFace.neighbor) && cellFace.shift == 0 && !exitFace(cellFace.neighbor, x))
+        {
+            return cellFace.neighbor;
+        }
+    }
+    return haloCell;
 }
 
 label CellLocator::find(const Vec3& position, const label guess) const
