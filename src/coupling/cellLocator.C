@@ -34,10 +34,26 @@ scalar leavesTriangle(const Vec3* v, const Vec3& center, const Vec3& line, const
     return sign*a.dot(b.cross(c))/(weightA + weightB + weightC);
 }
 
-std::vector<Eigen::AlignedBox3d> haloBoxes(const MappingMesh& mesh)
+// The own cells that have neighbors in the halo, and the halo cells.
+std::vector<label> cellsBetweenRanks(const MappingMesh& mesh)
+{
+    std::vector<label> cells;
+    for (label cell = 0; cell < mesh.nCells(); ++cell)
+    {
+        bool isBetween = cell >= mesh.nOwnCells;
+        for (label k = mesh.cellFaceStart[cell]; k < mesh.cellFaceStart[cell + 1]; ++k)
+        {
+            isBetween = isBetween || mesh.cellFaces[k].neighbor >= mesh.nOwnCells;
+        }
+        if (isBetween) cells.push_back(cell);
+    }
+    return cells;
+}
+
+std::vector<Eigen::AlignedBox3d> boxesOf(const std::vector<label>& cells, const MappingMesh& mesh)
 {
     std::vector<Eigen::AlignedBox3d> boxes;
-    for (label cell = mesh.nOwnCells; cell < mesh.nCells(); ++cell)
+    for (const label cell : cells)
     {
         Eigen::AlignedBox3d box;
         for (label k = mesh.cellFaceStart[cell]; k < mesh.cellFaceStart[cell + 1]; ++k)
@@ -56,7 +72,8 @@ CellLocator::CellLocator(const MappingMesh& mappingMesh, const polyMesh& mesh)
     mesh_(mappingMesh),
     polyMesh_(mesh),
     middle_(mappingMesh.inPlane(toVec3(mesh.bounds().centre()))),
-    halo_(haloBoxes(mappingMesh))
+    cellsBetweenRanks_(cellsBetweenRanks(mappingMesh)),
+    boxesBetweenRanks_(boxesOf(cellsBetweenRanks_, mappingMesh))
 {
     if (Pstream::parRun())
     {
@@ -153,9 +170,9 @@ label CellLocator::search(const Vec3& x) const
         const label settled = walk(cell, x);
         return settled >= 0 ? settled : cell;
     }
-    if (const label haloCell = searchHalo(x); haloCell >= 0)
+    if (const label between = searchBetweenRanks(x); between >= 0)
     {
-        return preferOwn(haloCell, x);
+        return between;
     }
     // The octree may miss a point on the border of the mesh; one just inside of it starts a walk.
     const Vec3 inside = x + 1e-9*(middle_ - x);
@@ -163,26 +180,21 @@ label CellLocator::search(const Vec3& x) const
     return nearby >= 0 ? walk(nearby, x) : -1;
 }
 
-label CellLocator::searchHalo(const Vec3& x) const
+// The octree knows nothing of halo cells, and it may miss a point of an own cell beside them, behind a warped face or on a flat
+// one. Own cells go first: else two ranks could send a grain to and fro for ever.
+label CellLocator::searchBetweenRanks(const Vec3& x) const
 {
-    const auto holds = [&](const int k) { return !exitFace(mesh_.nOwnCells + k, x); };
-    const int found = halo_.find(Eigen::AlignedBox3d(x), holds);
-    return found >= 0 ? mesh_.nOwnCells + found : -1;
-}
-
-// The octree may miss a point between an own cell and a halo cell. It is at home then: else two ranks could send a grain to
-// and fro for ever.
-label CellLocator::preferOwn(const label haloCell, const Vec3& x) const
-{
-    for (label k = mesh_.cellFaceStart[haloCell]; k < mesh_.cellFaceStart[haloCell + 1]; ++k)
+    for (const bool isOwn : {true, false})
     {
-        const CellFace& cellFace = mesh_.cellFaces[k];
-        if (mesh_.isOwn(cellFace.neighbor) && cellFace.shift == 0 && !exitFace(cellFace.neighbor, x))
+        const auto holds = [&](const int k)
         {
-            return cellFace.neighbor;
-        }
+            const label cell = cellsBetweenRanks_[k];
+            return mesh_.isOwn(cell) == isOwn && !exitFace(cell, x);
+        };
+        const int found = boxesBetweenRanks_.find(Eigen::AlignedBox3d(x), holds);
+        if (found >= 0) return cellsBetweenRanks_[found];
     }
-    return haloCell;
+    return -1;
 }
 
 label CellLocator::find(const Vec3& position, const label guess) const
