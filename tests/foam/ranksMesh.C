@@ -90,9 +90,10 @@ void RanksMesh::decompose(const Decomposition& decomposition)
     if (decomposition.rankOf)
     {
         std::ofstream file(casePath_/"constant/cellDecomposition");
-        file << "FoamFile { version 2.0; format ascii; class labelList; object cellDecomposition; }\n" << whole().nCells() << "\n(\n";
-        for (label cell = 0; cell < whole().nCells(); ++cell) file << decomposition.rankOf(cell) << '\n';
-        file << ")\n";
+        file << "FoamFile { version 2.0; format ascii; class labelList; object cellDecomposition; }\n";
+        file << whole().nCells() << "\n(";
+        for (label cell = 0; cell < whole().nCells(); ++cell) file << '\n' << decomposition.rankOf(cell);
+        file << "\n)\n";
         dict << "method manual; manualCoeffs { dataFile \"cellDecomposition\"; }";
     }
     else
