@@ -111,6 +111,10 @@ void BallCellOverlap::crossFaces(const label reachedI)
         {
             continue;
         }
+        if (cellFace.neighbor == beyondHalo)
+        {
+            stopBeyondHalo(center);
+        }
         label otherI = -1;
         if (cellFace.neighbor >= 0)
         {

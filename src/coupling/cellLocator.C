@@ -34,14 +34,52 @@ scalar leavesTriangle(const Vec3* v, const Vec3& center, const Vec3& line, const
     return sign*a.dot(b.cross(c))/(weightA + weightB + weightC);
 }
 
+// The own cells that have neighbors in the halo, and the halo cells.
+std::vector<label> cellsBetweenRanks(const MappingMesh& mesh)
+{
+    std::vector<label> cells;
+    for (label cell = 0; cell < mesh.nCells(); ++cell)
+    {
+        bool isBetween = cell >= mesh.nOwnCells;
+        for (label k = mesh.cellFaceStart[cell]; k < mesh.cellFaceStart[cell + 1]; ++k)
+        {
+            isBetween = isBetween || mesh.cellFaces[k].neighbor >= mesh.nOwnCells;
+        }
+        if (isBetween) cells.push_back(cell);
+    }
+    return cells;
+}
+
+std::vector<Eigen::AlignedBox3d> boxesOf(const std::vector<label>& cells, const MappingMesh& mesh)
+{
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const label cell : cells)
+    {
+        Eigen::AlignedBox3d box;
+        for (label k = mesh.cellFaceStart[cell]; k < mesh.cellFaceStart[cell + 1]; ++k)
+        {
+            box.extend(mesh.faceBox[mesh.cellFaces[k].face]);
+        }
+        boxes.push_back(box);
+    }
+    return boxes;
+}
+
 } // namespace
 
 CellLocator::CellLocator(const MappingMesh& mappingMesh, const polyMesh& mesh)
 :
     mesh_(mappingMesh),
     polyMesh_(mesh),
-    middle_(mappingMesh.inPlane(toVec3(mesh.bounds().centre())))
-{}
+    middle_(mappingMesh.inPlane(toVec3(mesh.bounds().centre()))),
+    cellsBetweenRanks_(cellsBetweenRanks(mappingMesh)),
+    boxesBetweenRanks_(boxesOf(cellsBetweenRanks_, mappingMesh))
+{
+    if (Pstream::parRun())
+    {
+        mesh.tetBasePtIs();  // collective, so not to be left to the first search
+    }
+}
 
 scalar CellLocator::exitFraction(const CellFace& cellFace, const Vec3& center, const Vec3& line) const
 {
@@ -90,6 +128,10 @@ LocatedPoint CellLocator::walkThroughCyclic(const label start, const Vec3& x) co
         {
             return at;
         }
+        if (exit->neighbor == beyondHalo)
+        {
+            stopBeyondHalo(x);
+        }
         if (exit->neighbor < 0)
         {
             break;
@@ -128,10 +170,31 @@ label CellLocator::search(const Vec3& x) const
         const label settled = walk(cell, x);
         return settled >= 0 ? settled : cell;
     }
+    if (const label between = searchBetweenRanks(x); between >= 0)
+    {
+        return between;
+    }
     // The octree may miss a point on the border of the mesh; one just inside of it starts a walk.
     const Vec3 inside = x + 1e-9*(middle_ - x);
     const label nearby = polyMesh_.findCell(toFoam(inside));
     return nearby >= 0 ? walk(nearby, x) : -1;
+}
+
+// The octree knows nothing of halo cells, and it may miss a point of an own cell beside them, behind a warped face or on a flat
+// one. Own cells go first: else two ranks could send a grain to and fro for ever.
+label CellLocator::searchBetweenRanks(const Vec3& x) const
+{
+    for (const bool isOwn : {true, false})
+    {
+        const auto holds = [&](const int k)
+        {
+            const label cell = cellsBetweenRanks_[k];
+            return mesh_.isOwn(cell) == isOwn && !exitFace(cell, x);
+        };
+        const int found = boxesBetweenRanks_.find(Eigen::AlignedBox3d(x), holds);
+        if (found >= 0) return cellsBetweenRanks_[found];
+    }
+    return -1;
 }
 
 label CellLocator::find(const Vec3& position, const label guess) const

@@ -5,6 +5,7 @@
 #include "diffusionSmoother.H"
 
 #include "cyclicPolyPatch.H"
+#include "processorFvPatch.H"
 #include "gaussLaplacianScheme.H"
 #include "surfaceFields.H"
 #include "zeroGradientFvPatchFields.H"
@@ -74,10 +75,10 @@ DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const scalar length)
         ).ptr()
     );
     matrix_->diag() += mesh.V();
-    addCyclicDiagonal();
+    addCoupledDiagonal();
 }
 
-void DiffusionSmoother::addCyclicDiagonal()
+void DiffusionSmoother::addCoupledDiagonal()
 {
     forAll(mesh_.boundary(), patchI)
     {
@@ -117,7 +118,34 @@ scalarField DiffusionSmoother::netInflow(const scalarField& cells) const
             exchange(cyclic->faceCells()[k], cyclic->neighbPatch().faceCells()[k], conductance[k]);
         }
     }
+    addInflowFromRanks(cells, inflow);
     return inflow;
+}
+
+// Both ranks work out the flux, each from its own conductance: they agree to round-off, and so does what is lost and gained.
+void DiffusionSmoother::addInflowFromRanks(const scalarField& cells, scalarField& inflow) const
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+    volScalarField& values = const_cast<volScalarField&>(solution_());
+    values.primitiveFieldRef() = cells;
+    values.correctBoundaryConditions();
+    forAll(mesh_.boundary(), patchI)
+    {
+        if (!isA<processorFvPatch>(mesh_.boundary()[patchI]))
+        {
+            continue;
+        }
+        const labelUList& faceCells = mesh_.boundary()[patchI].faceCells();
+        const scalarField& conductance = matrix_->boundaryCoeffs()[patchI];
+        const scalarField behind(values.boundaryField()[patchI].patchNeighbourField());
+        forAll(faceCells, k)
+        {
+            inflow[faceCells[k]] += conductance[k]*(behind[k] - cells[faceCells[k]]);
+        }
+    }
 }
 
 SmoothingReport DiffusionSmoother::smooth(scalarField& cells) const
@@ -138,7 +166,9 @@ SmoothingReport DiffusionSmoother::smooth(scalarField& cells) const
         controls_
     )->solve(change, netInflow(cells));
     const scalarField& volumes = mesh_.V();
-    cells += change - sum(volumes*change)/sum(volumes);
+    vector2D sums(sum(volumes*change), sum(volumes));
+    reduce(sums, sumOp<vector2D>());
+    cells += change - sums.x()/sums.y();
     return {performance.nIterations(), performance.finalResidual(), performance.converged()};
 }
 

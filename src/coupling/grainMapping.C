@@ -12,15 +12,6 @@ namespace nscdCoupling
 namespace
 {
 
-const fvMesh& refuseParallel(const fvMesh& mesh)
-{
-    if (Pstream::parRun())
-    {
-        FatalErrorInFunction << "grains are mapped in serial runs only, so far" << exit(FatalError);
-    }
-    return mesh;
-}
-
 scalar readDiffusionLength(const dictionary& dict)
 {
     const scalar length = dict.getOrDefault<scalar>("diffusionLength", 0);
@@ -79,31 +70,55 @@ void sampleRow(const WeightMatrix& weights, const label row, const Cells& cells,
 
 } // namespace
 
-GrainMapping::GrainMapping(const fvMesh& mesh, const dictionary& dict)
+GrainMapping::Layout::Layout(const fvMesh& fvMesh, const scalar largestRadius, const scalar largestSolidFraction)
 :
-    mesh_(refuseParallel(mesh)),
-    mappingMesh_(makeMappingMesh(mesh)),
-    locator_(mappingMesh_, mesh),
+    mesh(makeMappingMesh(fvMesh, largestRadius)),
+    reach(largestRadius),
+    exchange(mesh),
+    locator(mesh, fvMesh),
+    tools{mesh, locator, BallCellOverlap(mesh)},
+    redistribution(mesh, exchange, largestSolidFraction)
+{}
+
+GrainMapping::GrainMapping(const fvMesh& mesh, const dictionary& dict, const scalar largestRadius)
+:
+    mesh_(mesh),
     method_(readVoidFractionMethod(dict)),
-    tools_{mappingMesh_, locator_, BallCellOverlap(mappingMesh_)},
+    largestSolidFraction_(readLargestSolidFraction(dict)),
     smoother_(mesh, readDiffusionLength(dict)),
-    redistribution_(mappingMesh_, readLargestSolidFraction(dict)),
+    layout_(new Layout(mesh, largestRadius, largestSolidFraction_)),
     solidFraction_(mesh.nCells(), Zero)
 {}
 
 void GrainMapping::checkDimensions(const ::nscd::Grains& grains) const
 {
-    const int dimensions = mappingMesh_.is2D() ? 2 : 3;
+    const MappingMesh& mesh = layout_->mesh;
+    const int dimensions = mesh.is2D() ? 2 : 3;
     if (grains.shape.dimensions != dimensions)
     {
         FatalErrorInFunction
             << "the mesh has " << dimensions << " dimensions, the grains have " << grains.shape.dimensions << exit(FatalError);
     }
-    if (mappingMesh_.is2D() && mag(grains.shape.thickness/mappingMesh_.thickness - 1) > 1e-6)
+    if (mesh.is2D() && mag(grains.shape.thickness/mesh.thickness - 1) > 1e-6)
     {
         FatalErrorInFunction
-            << "the mesh is " << mappingMesh_.thickness << " m thick, the discs are " << grains.shape.thickness << " m long"
+            << "the mesh is " << mesh.thickness << " m thick, the discs are " << grains.shape.thickness << " m long"
             << exit(FatalError);
+    }
+}
+
+void GrainMapping::growHalo(const ::nscd::Grains& grains)
+{
+    if (!layout_->exchange.isParallel())
+    {
+        return;
+    }
+    scalar largest = 0;
+    for (std::size_t i = 0; i < grains.nOwned; ++i) largest = std::max(largest, grains.radius[i]);
+    largest = layout_->exchange.max(largest);
+    if (largest > layout_->reach)
+    {
+        layout_.reset(new Layout(mesh_, largest, largestSolidFraction_));
     }
 }
 
@@ -111,14 +126,32 @@ void GrainMapping::locate(const ::nscd::Grains& grains, const ::nscd::PeriodicBo
 {
     cells_.resize(grains.nOwned, -1);
     positions_.resize(grains.nOwned);
-    report_.outsideMesh.clear();
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         positions_[i] = box.any() ? box.wrap(grains.position[i]) : grains.position[i];
-        cells_[i] = locator_.find(positions_[i], cells_[i]);
+        cells_[i] = layout_->locator.find(positions_[i], cells_[i]);
+    }
+}
+
+std::vector<CellHome> GrainMapping::homes(const ::nscd::Grains& grains, const ::nscd::PeriodicBox& box)
+{
+    locate(grains, box);
+    std::vector<CellHome> result;
+    for (const label cell : cells_) result.push_back(layout_->mesh.home(cell));
+    return result;
+}
+
+void GrainMapping::listMissing(const ::nscd::Grains& grains)
+{
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
         if (cells_[i] < 0)
         {
             report_.outsideMesh.push_back(grains.id[i]);
+        }
+        else if (!layout_->mesh.isOwn(cells_[i]))
+        {
+            report_.away.push_back({i, grains.id[i], layout_->mesh.home(cells_[i])});
         }
     }
 }
@@ -126,9 +159,9 @@ void GrainMapping::locate(const ::nscd::Grains& grains, const ::nscd::PeriodicBo
 void GrainMapping::buildRow(const LocatedBall& ball, const scalar volume)
 {
     const std::size_t first = weights_.shares.size();
-    if (ball.cell >= 0)
+    if (layout_->mesh.isOwn(ball.cell))
     {
-        report_.lostOutside += volume*(1 - method_.appendShares(tools_, ball, weights_.shares));
+        report_.lostOutside += volume*(1 - method_.appendShares(layout_->tools, ball, weights_.shares));
     }
     scalar sum = 0;
     for (std::size_t k = first; k < weights_.shares.size(); ++k)
@@ -144,7 +177,7 @@ void GrainMapping::buildRow(const LocatedBall& ball, const scalar volume)
 
 void GrainMapping::buildSolidFraction(const ::nscd::Grains& grains)
 {
-    solidFraction_ = 0;
+    solidFraction_ = scalarField(layout_->mesh.nCells(), Zero);
     for (label i = 0; i < weights_.nRows(); ++i)
     {
         const scalar volume = grains.volume(i);
@@ -154,26 +187,40 @@ void GrainMapping::buildSolidFraction(const ::nscd::Grains& grains)
             solidFraction_[weights_.shares[k].cell] += weights_.shares[k].share*volume;
         }
     }
+    layout_->exchange.toOwners({{&solidFraction_}, {}});
+    solidFraction_.setSize(mesh_.nCells());
     solidFraction_ /= mesh_.V();
     report_.smoothing = smoother_.smooth(solidFraction_);
-    report_.redistribution = redistribution_.build(solidFraction_);
+    report_.redistribution = layout_->redistribution.build(solidFraction_);
     forAll(solidFraction_, cellI)
     {
         report_.volumeDeposited += solidFraction_[cellI]*mesh_.V()[cellI];
     }
 }
 
+void GrainMapping::sumReport()
+{
+    scalar sums[] = {report_.grainVolume, report_.volumeDeposited, report_.lostOutside};
+    layout_->exchange.sum(sums, 3);
+    report_.grainVolume = sums[0];
+    report_.volumeDeposited = sums[1];
+    report_.lostOutside = sums[2];
+}
+
 const MappingReport& GrainMapping::update(const ::nscd::Grains& grains, const ::nscd::PeriodicBox& box)
 {
     checkDimensions(grains);
     report_ = MappingReport();
+    growHalo(grains);
     locate(grains, box);
+    listMissing(grains);
     weights_.clear();
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         buildRow({positions_[i], grains.radius[i], cells_[i]}, grains.volume(i));
     }
     buildSolidFraction(grains);
+    sumReport();
     return report_;
 }
 
@@ -183,32 +230,50 @@ void GrainMapping::voidFraction(volScalarField& epsilon) const
     epsilon.correctBoundaryConditions();
 }
 
+// From amounts in own and halo cells to what own cells have per unit volume.
+void GrainMapping::finishSpread(const CellFields& perVolume) const
+{
+    layout_->exchange.toOwners(perVolume);
+    perVolume.resize(mesh_.nCells());
+    const auto smooth = [this](auto& field)
+    {
+        field /= mesh_.V();
+        smoother_.smooth(field);
+    };
+    for (scalarField* field : perVolume.scalars) smooth(*field);
+    for (vectorField* field : perVolume.vectors) smooth(*field);
+    layout_->redistribution.spread(perVolume);
+}
+
 void GrainMapping::spread(const std::vector<ScalarSpread>& scalars, const std::vector<VectorSpread>& vectors) const
 {
-    for (const ScalarSpread& pair : scalars) pair.cells = scalarField(mesh_.nCells(), Zero);
-    for (const VectorSpread& pair : vectors) pair.cells = vectorField(mesh_.nCells(), Zero);
+    CellFields fields;
+    for (const ScalarSpread& pair : scalars)
+    {
+        pair.cells = scalarField(layout_->mesh.nCells(), Zero);
+        fields.scalars.push_back(&pair.cells);
+    }
+    for (const VectorSpread& pair : vectors)
+    {
+        pair.cells = vectorField(layout_->mesh.nCells(), Zero);
+        fields.vectors.push_back(&pair.cells);
+    }
     for (label row = 0; row < weights_.nRows(); ++row)
     {
         for (const ScalarSpread& pair : scalars) spreadRow(weights_, row, pair.grains, pair.cells);
         for (const VectorSpread& pair : vectors) spreadRow(weights_, row, pair.grains, pair.cells);
     }
-    const auto finish = [this](auto& perVolume)
-    {
-        perVolume /= mesh_.V();
-        smoother_.smooth(perVolume);
-        redistribution_.spread(perVolume);
-    };
-    for (const ScalarSpread& pair : scalars) finish(pair.cells);
-    for (const VectorSpread& pair : vectors) finish(pair.cells);
+    finishSpread(fields);
 }
 
-template<class Type>
-Field<Type> GrainMapping::asGrainsSee(const Field<Type>& cells) const
+// From fields of own cells to what the shares of own and halo cells are taken of.
+void GrainMapping::makeAsGrainsSee(const CellFields& cells) const
 {
-    Field<Type> result(cells);
-    redistribution_.sample(result);
-    smoother_.smooth(result);
-    return result;
+    layout_->redistribution.sample(cells);
+    for (scalarField* field : cells.scalars) smoother_.smooth(*field);
+    for (vectorField* field : cells.vectors) smoother_.smooth(*field);
+    cells.resize(layout_->mesh.nCells());
+    layout_->exchange.toHalo(cells);
 }
 
 void GrainMapping::sample(const std::vector<ScalarSample>& scalars, const std::vector<VectorSample>& vectors) const
@@ -217,14 +282,18 @@ void GrainMapping::sample(const std::vector<ScalarSample>& scalars, const std::v
     std::vector<vectorField> vectorCells;
     for (const ScalarSample& pair : scalars)
     {
-        scalarCells.push_back(asGrainsSee(pair.cells));
+        scalarCells.push_back(pair.cells);
         pair.grains.assign(weights_.nRows(), 0);
     }
     for (const VectorSample& pair : vectors)
     {
-        vectorCells.push_back(asGrainsSee(pair.cells));
+        vectorCells.push_back(pair.cells);
         pair.grains.assign(weights_.nRows(), Vec3::Zero());
     }
+    CellFields fields;
+    for (scalarField& field : scalarCells) fields.scalars.push_back(&field);
+    for (vectorField& field : vectorCells) fields.vectors.push_back(&field);
+    makeAsGrainsSee(fields);
     for (label row = 0; row < weights_.nRows(); ++row)
     {
         for (std::size_t k = 0; k < scalars.size(); ++k) sampleRow(weights_, row, scalarCells[k], scalars[k].grains);

@@ -3,10 +3,12 @@
 //
 // Lays out a mesh for the mapping.
 #include "mappingMesh.H"
+#include "meshHalo.H"
 #include "vectorConversion.H"
 
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
+#include "processorPolyPatch.H"
 #include "wedgePolyPatch.H"
 
 namespace Foam
@@ -196,7 +198,7 @@ Vec3 shiftThrough(const cyclicPolyPatch& patch)
     return toVec3(shift);
 }
 
-// What lies behind each face of a border: cell and shift of a cyclic patch, else nothing.
+// What lies behind each face of a border: cell and shift of a cyclic patch, else nothing; addHalo() sees to processor patches.
 void connectCyclic(const polyMesh& mesh, std::vector<label>& behind, std::vector<label>& shiftOf, MappingMesh& result)
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
@@ -205,13 +207,18 @@ void connectCyclic(const polyMesh& mesh, std::vector<label>& behind, std::vector
         {
             refuse(patch, "a wedge is not a box of grains; use a full mesh or a two-dimensional one");
         }
-        if (!patch.coupled())
+        const bool isProcessor = isA<processorPolyPatch>(patch);
+        if (isProcessor && !Pstream::parRun())
+        {
+            refuse(patch, "the part of one processor of a decomposed case needs a parallel run");
+        }
+        if (!patch.coupled() || isProcessor)
         {
             continue;
         }
         if (!isA<cyclicPolyPatch>(patch))
         {
-            refuse(patch, "the only coupled patches supported are cyclic");
+            refuse(patch, "the only coupled patches supported are cyclic, processor and processorCyclic");
         }
         if (patch.empty())
         {
@@ -229,7 +236,7 @@ void connectCyclic(const polyMesh& mesh, std::vector<label>& behind, std::vector
 
 void addCells(const fvMesh& mesh, const std::vector<bool>& isEmpty, MappingMesh& result)
 {
-    std::vector<label> behind(mesh.nFaces(), -1);
+    std::vector<label> behind(mesh.nFaces(), domainBorder);
     std::vector<label> shiftOf(mesh.nFaces(), 0);
     connectCyclic(mesh, behind, shiftOf, result);
 
@@ -252,11 +259,27 @@ void addCells(const fvMesh& mesh, const std::vector<bool>& isEmpty, MappingMesh&
         result.cellCenter.push_back(result.inPlane(toVec3(mesh.cellCentres()[cellI])));
         result.cellVolume.push_back(mesh.cellVolumes()[cellI]);
     }
+    result.nOwnCells = mesh.nCells();
 }
 
 } // namespace
 
-MappingMesh makeMappingMesh(const fvMesh& mesh)
+CellHome MappingMesh::home(const label cell) const
+{
+    if (cell < 0)
+    {
+        return {-1, -1};
+    }
+    return cell < nOwnCells ? CellHome{Pstream::myProcNo(), cell} : haloHomes[cell - nOwnCells];
+}
+
+void stopBeyondHalo(const Vec3& position)
+{
+    FatalErrorInFunction
+        << "the cells copied from other ranks do not reach as far as the grain at " << toFoam(position) << exit(FatalError);
+}
+
+MappingMesh makeMappingMesh(const fvMesh& mesh, const scalar reach)
 {
     MappingMesh result;
     result.shifts.assign(1, Vec3::Zero());
@@ -264,6 +287,10 @@ MappingMesh makeMappingMesh(const fvMesh& mesh)
     const std::vector<bool> isEmpty = findEmptyFaces(mesh);
     addFaces(mesh, isEmpty, result);
     addCells(mesh, isEmpty, result);
+    if (Pstream::parRun())
+    {
+        addHalo(mesh, reach, result);
+    }
     return result;
 }
 

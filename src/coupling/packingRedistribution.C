@@ -21,9 +21,13 @@ constexpr scalar brim = 1e-10;
 
 } // namespace
 
-PackingRedistribution::PackingRedistribution(const MappingMesh& mesh, const scalar largestSolidFraction)
+PackingRedistribution::PackingRedistribution
+(
+    const MappingMesh& mesh, const HaloExchange& exchange, const scalar largestSolidFraction
+)
 :
     mesh_(mesh),
+    exchange_(exchange),
     limit_(largestSolidFraction)
 {}
 
@@ -77,32 +81,115 @@ scalar PackingRedistribution::relieve(const label cell, scalarField& solidFracti
     return moved;
 }
 
+bool PackingRedistribution::exceeds(const scalar solidFraction) const
+{
+    return solidFraction > limit_*(1 + brim);
+}
+
+bool PackingRedistribution::anyExceeds(const scalarField& solidFraction) const
+{
+    const auto end = solidFraction.begin() + mesh_.nOwnCells;
+    const bool isHere = std::any_of(solidFraction.begin(), end, [this](const scalar value) { return exceeds(value); });
+    return exchange_.max(isHere) > 0;
+}
+
+scalar PackingRedistribution::runPass(scalarField& solidFraction)
+{
+    const CellFields fields{{&solidFraction}, {}};
+    exchange_.toHalo(fields);
+    const std::vector<scalar> halo(solidFraction.begin() + mesh_.nOwnCells, solidFraction.end());
+    scalar moved = 0;
+    for (label cell = 0; cell < mesh_.nOwnCells; ++cell)
+    {
+        if (exceeds(solidFraction[cell])) moved += relieve(cell, solidFraction);
+    }
+    for (std::size_t k = 0; k < halo.size(); ++k) solidFraction[mesh_.nOwnCells + label(k)] -= halo[k];
+    exchange_.toOwners(fields);
+    passEnd_.push_back(label(moves_.size()));
+    return moved;
+}
+
 RedistributionReport PackingRedistribution::build(scalarField& solidFraction)
 {
     RedistributionReport report;
     moves_.clear();
     targets_.clear();
-    while (true)
+    passEnd_.clear();
+    if (!anyExceeds(solidFraction))
     {
-        const bool isLast = report.passes == maxPasses;
-        bool anyExceeds = false;
-        report.unresolvedVolume = 0;
-        forAll(solidFraction, cellI)
-        {
-            if (solidFraction[cellI] <= limit_*(1 + brim))
-            {
-                continue;
-            }
-            anyExceeds = true;
-            report.unresolvedVolume += (solidFraction[cellI] - limit_)*mesh_.cellVolume[cellI];
-            report.movedVolume += isLast ? 0 : relieve(cellI, solidFraction);
-        }
-        if (!anyExceeds || isLast)
-        {
-            return report;
-        }
+        return report;
+    }
+    solidFraction.setSize(mesh_.nCells(), Zero);
+    do
+    {
+        report.movedVolume += runPass(solidFraction);
         ++report.passes;
     }
+    while (report.passes < maxPasses && anyExceeds(solidFraction));
+    solidFraction.setSize(mesh_.nOwnCells);
+    forAll(solidFraction, cell)
+    {
+        if (exceeds(solidFraction[cell])) report.unresolvedVolume += (solidFraction[cell] - limit_)*mesh_.cellVolume[cell];
+    }
+    scalar sums[] = {report.movedVolume, report.unresolvedVolume};
+    exchange_.sum(sums, 2);
+    report.movedVolume = sums[0];
+    report.unresolvedVolume = sums[1];
+    return report;
+}
+
+template<class Type>
+void PackingRedistribution::spread(const std::size_t pass, Field<Type>& perVolume) const
+{
+    for (label moveI = passStart(pass); moveI < passEnd_[pass]; ++moveI)
+    {
+        const Move& move = moves_[moveI];
+        const Type amount = mesh_.cellVolume[move.from]*perVolume[move.from];
+        for (label k = move.firstTarget; k < move.firstTarget + move.nTargets; ++k)
+        {
+            perVolume[targets_[k].cell] += targets_[k].share/mesh_.cellVolume[targets_[k].cell]*amount;
+        }
+        perVolume[move.from] *= move.kept;
+    }
+}
+
+void PackingRedistribution::spread(const CellFields& perVolume) const
+{
+    perVolume.resize(isActive() ? mesh_.nCells() : mesh_.nOwnCells);
+    for (std::size_t pass = 0; pass < passEnd_.size(); ++pass)
+    {
+        for (scalarField* field : perVolume.scalars) spread(pass, *field);
+        for (vectorField* field : perVolume.vectors) spread(pass, *field);
+        exchange_.toOwners(perVolume);
+    }
+    perVolume.resize(mesh_.nOwnCells);
+}
+
+template<class Type>
+void PackingRedistribution::sample(const std::size_t pass, Field<Type>& cells) const
+{
+    for (label moveI = passEnd_[pass] - 1; moveI >= passStart(pass); --moveI)
+    {
+        const Move& move = moves_[moveI];
+        Type value = move.kept*cells[move.from];
+        for (label k = move.firstTarget; k < move.firstTarget + move.nTargets; ++k)
+        {
+            value += targets_[k].share*cells[targets_[k].cell];
+        }
+        cells[move.from] = value;
+    }
+}
+
+void PackingRedistribution::sample(const CellFields& cells) const
+{
+    cells.resize(isActive() ? mesh_.nCells() : mesh_.nOwnCells);
+    for (std::size_t pass = passEnd_.size(); pass-- > 0;)
+    {
+        exchange_.toHalo(cells);
+        for (scalarField* field : cells.scalars) sample(pass, *field);
+        for (vectorField* field : cells.vectors) sample(pass, *field);
+    }
+    cells.resize(mesh_.nOwnCells);
 }
 
 } // namespace nscdCoupling

@@ -182,7 +182,8 @@ TEST(mappingRedistribution, doesNothingBelowTheLimit)
 {
     BoxMesh box(unitCells(labelVector(4, 4, 4)));
     const MappingMesh mesh = makeMappingMesh(box.mesh());
-    PackingRedistribution redistribution(mesh, 0.8);
+    const HaloExchange exchange(mesh);
+    PackingRedistribution redistribution(mesh, exchange, 0.8);
     scalarField fraction(64, 0.8);
     const RedistributionReport report = redistribution.build(fraction);
     EXPECT_EQ(report.passes, 0);
@@ -196,7 +197,8 @@ TEST(mappingRedistribution, clearsWhatFitsAndReportsWhatDoesNot)
 {
     BoxMesh box(unitCells(labelVector(11, 11, 11)));
     const MappingMesh mesh = makeMappingMesh(box.mesh());
-    PackingRedistribution redistribution(mesh, 0.8);
+    const HaloExchange exchange(mesh);
+    PackingRedistribution redistribution(mesh, exchange, 0.8);
     scalarField fraction(1331, Zero);
     fraction[665] = 65.4;
     RedistributionReport report = redistribution.build(fraction);
