@@ -52,10 +52,6 @@ void refuseOnRanks(const GrainProperties& properties)
             << "Grains on several ranks are written and read with `-fileHandler uncollated` only, one folder for each processor; this "
             << "run asks for " << fileHandler().type() << "." << exit(FatalError);
     }
-    if (!properties.solvesFluid) return;
-    FatalErrorIn("nscdDEMFoam")
-        << "A run with a fluid works on one rank only in this version; several ranks can run grains alone, with `fluid none;` in "
-        << "constant/grainProperties. A decomposed case can be put together again by reconstructPar." << exit(FatalError);
 }
 
 } // namespace nscdCoupling

@@ -246,8 +246,8 @@ void CoupledRun::updateWeights()
 
 void CoupledRun::updateWeightsAtHome()
 {
-    const ::nscd::Grains& own = dynamics_->grains();
-    immersion_->mapping.update(homes_ ? immersion_->atHome.update(own, homes_->homes()) : own, scene_.box);
+    if (homes_) bringHome();
+    else immersion_->mapping.update(dynamics_->grains(), scene_.box);
     if (feedsBack()) immersion_->mapping.voidFraction(immersion_->sources.alpha);
 }
 

@@ -49,6 +49,30 @@ void CoupledRun::balanceRanks()
         ).c_str() << endl;
 }
 
+void CoupledRun::bringHome()
+{
+    Immersion& fluid = *immersion_;
+    // Round-off can put a grain on the face between two ranks into one's cell here and into the other's cell there: it goes where
+    // the mapping wants it.
+    for (int attempt = 0; attempt < 3; ++attempt)
+    {
+        fluid.atHome.update(dynamics_->grains(), homes_->homes());
+        fluid.mapping.lookFirstIn(fluid.atHome.cells());
+        const MappingReport& report = fluid.mapping.update(fluid.atHome.grains(), scene_.box);
+        if (returnReduce(report.away.empty() && report.outsideMesh.empty(), andOp<bool>())) return;
+        std::vector<scalar> rank(fluid.atHome.cells().size(), Pstream::myProcNo());
+        std::vector<scalar> cell(fluid.atHome.cells().begin(), fluid.atHome.cells().end());
+        for (const AwayGrain& grain : report.away)
+        {
+            rank[grain.grain] = grain.home.rank;
+            cell[grain.grain] = grain.home.cell;
+        }
+        fluid.atHome.toOwners({{&rank, &cell}, {}});
+        homes_->correct(rank, cell);
+    }
+    FatalErrorInFunction << "grains have no home in the mesh of any rank" << exit(FatalError);
+}
+
 std::vector<label> CoupledRun::cellsElsewhere()
 {
     std::vector<label> cells;

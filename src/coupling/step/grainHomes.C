@@ -155,5 +155,13 @@ void GrainHomes::erase(const std::vector<std::size_t>& indices)
     eraseAt(homes_, indices);
 }
 
+void GrainHomes::correct(const std::vector<scalar>& rank, const std::vector<scalar>& cell)
+{
+    for (std::size_t i = 0; i < homes_.size(); ++i)
+    {
+        if (homes_[i].rank >= 0) homes_[i] = {int(rank[i]), label(cell[i])};
+    }
+}
+
 } // namespace nscdCoupling
 } // namespace Foam

@@ -61,23 +61,28 @@ GrainsAtHome::GrainsAtHome(const ::nscd::RankTree& tree)
     link_(std::make_unique<::nscd::GrainLink>(tree.all()))
 {}
 
-const ::nscd::Grains& GrainsAtHome::update(const ::nscd::Grains& own, const std::vector<GrainHome>& homes)
+void GrainsAtHome::update(const ::nscd::Grains& own, const std::vector<GrainHome>& homes)
 {
     std::vector<int> ranks;
-    for (const GrainHome& home : homes) ranks.push_back(home.rank);
+    std::vector<scalar> cell;
+    for (const GrainHome& home : homes)
+    {
+        ranks.push_back(home.rank);
+        cell.push_back(home.cell);
+    }
     link_->connect(ranks);
 
     std::vector<scalar> radius = own.radius;
     // Identities are below 2^53, and travel as numbers.
     std::vector<scalar> id(own.id.begin(), own.id.end());
     std::vector<Vec3> position = own.position;
-    toHomes({{&radius, &id}, {&position}});
+    toHomes({{&radius, &id, &cell}, {&position}});
 
     grains_ = ::nscd::Grains();
     grains_.shape = own.shape;
     constexpr double noDensity = 1.0;
     for (std::size_t i = 0; i < radius.size(); ++i) grains_.add(position[i], radius[i], noDensity, 0, std::int64_t(id[i]));
-    return grains_;
+    cells_.assign(cell.begin(), cell.end());
 }
 
 void GrainsAtHome::toHomes(const GrainValues& values) const
