@@ -20,6 +20,7 @@ struct Scene
     Decomposition decomposition;
     ::nscd::Grains grains;
     std::vector<const char*> methods = {"centroid", "satellite", "exact"};
+    bool smoothsAll = false;  // else `exact` alone is smoothed too: smoothing comes behind the method, whichever it is
 };
 
 scalarField randomField(const label n, const unsigned seed)
@@ -244,6 +245,7 @@ void compareMappings(const Scene& scene)
     {
         for (const scalar length : {0., 1.5})
         {
+            if (length > 0 && !scene.smoothsAll && word(method) != "exact") continue;
             SCOPED_TRACE(std::string(method) + ", diffusionLength " + std::to_string(length));
             compareMappings(mesh, scene.grains, mappingDict(method, length, 1e-12), amounts);
         }
@@ -259,7 +261,9 @@ BoxMeshSettings shakenCells(const labelVector& n, const wordList& types = wordLi
 
 TEST(mappingRanks, slicesAcrossABed)
 {
-    compareMappings({shakenCells(labelVector(9, 4, 5)), slices(), looseGrains(point(9, 4, 5), 0.35)});
+    Scene scene = {shakenCells(labelVector(9, 4, 5)), slices(), looseGrains(point(9, 4, 5), 0.35)};
+    scene.smoothsAll = true;
+    compareMappings(scene);
 }
 
 TEST(mappingRanks, blocksThatMeetInACorner)
