@@ -4,6 +4,7 @@
 // Packing values of grains into rows of numbers, and back.
 #include "step/grainsAtHome.H"
 
+#include "grainLink.hpp"
 #include "rankTree.hpp"
 
 #include <algorithm>
@@ -55,6 +56,10 @@ std::size_t grainsOf(const GrainValues& values)
 }
 
 } // namespace
+
+GrainsAtHome::GrainsAtHome() = default;
+GrainsAtHome::GrainsAtHome(GrainsAtHome&&) = default;
+GrainsAtHome::~GrainsAtHome() = default;
 
 GrainsAtHome::GrainsAtHome(const ::nscd::RankTree& tree)
 :
