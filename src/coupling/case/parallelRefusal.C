@@ -42,12 +42,12 @@ void refuseLoneRanks(int argc, char* argv[])
 }
 
 
-void refuseFluidOnRanks(const GrainProperties& properties)
+void refuseGrainsInFluidOnRanks(std::int64_t nGrains)
 {
-    if (!Pstream::parRun() || !properties.solvesFluid) return;
+    if (!Pstream::parRun() || nGrains == 0) return;
     FatalErrorIn("nscdDEMFoam")
-        << "A run with a fluid works on one rank only in this version; several ranks can run grains alone, with `fluid none;` in "
-        << "constant/grainProperties. A decomposed case can be put together again by reconstructPar." << exit(FatalError);
+        << "Grains in a fluid work on one rank only in this version; several ranks can run a fluid without grains, or grains alone, "
+        << "with `fluid none;` in constant/grainProperties. A decomposed case can be put together again by reconstructPar." << exit(FatalError);
 }
 
 } // namespace nscdCoupling

@@ -46,13 +46,6 @@ ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool hasFr
     return {hasDrag, forces.pressureGradient, forces.viscous, hasDrag && hasFriction && forces.spinDrag};
 }
 
-GrainProperties readRunnable(const Time& time)
-{
-    GrainProperties properties = readGrainProperties(time);
-    refuseFluidOnRanks(properties);
-    return properties;
-}
-
 } // namespace
 
 Immersion::Immersion(fvMesh& mesh, const dictionary& voidFraction)
@@ -65,7 +58,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
 :
     time_(time),
     mesh_(mesh),
-    properties_(readRunnable(time)),
+    properties_(readGrainProperties(time)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
     active_(activeForces(properties_.forces, properties_.solvesFluid, properties_.materials.table.anyFriction())),
@@ -74,8 +67,8 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
 {
     startGrains();
     if (properties_.solvesFluid) startFluid();
-    else if (ranks_.isParallel()) homes_ = std::make_unique<GrainHomes>(mesh, ranks_.tree());
-    else if (hasExits()) locations_ = std::make_unique<GrainLocations>(mesh);
+    if (ranks_.isParallel()) homes_ = std::make_unique<GrainHomes>(mesh, ranks_.tree());
+    else if (!properties_.solvesFluid && hasExits()) locations_ = std::make_unique<GrainLocations>(mesh);
     report_ = std::make_unique<GrainReport>(time);
     logScene(Info, properties_, scene_, sumGrains(dynamics_->grains(), *ranks_.exchange()), mesh, hasGrainState(mesh));
 }
@@ -120,6 +113,7 @@ void CoupledRun::startGrains()
 
 void CoupledRun::startFluid()
 {
+    refuseGrainsInFluidOnRanks(nGrains_);
     const ::nscd::Grains& grains = dynamics_->grains();
     immersion_ = std::make_unique<Immersion>(mesh_, properties_.voidFraction.forMapping(meanDiameter(grains)));
     GrainSources& sources = immersion_->sources;
