@@ -46,7 +46,7 @@ void CoupledRun::sampleFluid()
     const auto timer = timing_.time(StepPart::sampleFluid);
     if (!hasFluid() || !hasGrains()) return;
     const volScalarField* alpha = feedsBack() ? &immersion_->sources.alpha : nullptr;
-    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, immersion_->mapping, active_, step_.at);
+    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, *immersion_->mapping, active_, step_.at);
 }
 
 void CoupledRun::linearizeDrag()
@@ -67,7 +67,7 @@ void CoupledRun::linearizeDrag()
     if (!feedsBack()) return;
 
     step_.response = isLagAllowed() ? laggedResponse(grains) : predictResponse();
-    handOver(grains, step_.drag, step_.response, debt_, immersion_->mapping, rho, deltaT, immersion_->sources);
+    handOver(grains, step_.drag, step_.response, debt_, *immersion_->mapping, rho, deltaT, immersion_->sources);
 }
 
 bool CoupledRun::isLagAllowed() const
@@ -127,7 +127,7 @@ void CoupledRun::fluidForces()
         return;
     }
     const volScalarField* alpha = feedsBack() ? &immersion_->sources.alpha : nullptr;
-    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, immersion_->mapping, active_, step_.at);
+    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, *immersion_->mapping, active_, step_.at);
     step_.force = steadyForces(grains, step_.at, active_, immersion_->fluid->rho().value(), gravity_);
 }
 
@@ -215,16 +215,16 @@ void CoupledRun::depositGrains()
     }
     if (immersion_->sources.isStatic) return;
     updateWeights();
-    if (immersion_->mapping.report().outsideMesh.empty()) return;
-    removeExited(immersion_->mapping.cells());
+    if (immersion_->mapping->report().outsideMesh.empty()) return;
+    removeExited(immersion_->mapping->cells());
     updateWeights();
     if (!hasGrains()) immersion_->sources.clear();
 }
 
 void CoupledRun::updateWeights()
 {
-    immersion_->mapping.update(dynamics_->grains(), scene_.box);
-    if (feedsBack()) immersion_->mapping.voidFraction(immersion_->sources.alpha);
+    immersion_->mapping->update(dynamics_->grains(), scene_.box);
+    if (feedsBack()) immersion_->mapping->voidFraction(immersion_->sources.alpha);
 }
 
 void CoupledRun::removeExited(const std::vector<label>& cells)

@@ -75,7 +75,7 @@ void CoupledRun::writeOnHomes(GrainState state)
     cell = ranks_.moved(cell, rank);
     writeGrainState(mesh_, state, properties_.materials.table, labelList(cell.begin(), cell.end()));
     // From here on as a restart, which finds the grains in this order and knows no loads.
-    setState(ranks_.share(state, {}));
+    setState(hasGrains() ? ranks_.share(state, {}) : state);
 }
 
 } // namespace nscdCoupling

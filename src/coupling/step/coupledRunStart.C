@@ -48,12 +48,6 @@ ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool hasFr
 
 } // namespace
 
-Immersion::Immersion(fvMesh& mesh, const dictionary& voidFraction)
-:
-    sources(mesh),
-    mapping(mesh, voidFraction)
-{}
-
 CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
 :
     time_(time),
@@ -91,9 +85,9 @@ void CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
     GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
-    state = ranks_.share(state, {});
-    const std::size_t n = state.grains.size();
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;
+    if (hasGrains()) state = ranks_.share(state, {});
+    const std::size_t n = state.grains.size();
     dynamics_ = std::make_unique<::nscd::GrainDynamics>
     (
         std::move(state.grains), properties_.materials.table, scene_.walls, scene_.box, properties_.contact, ranks_.exchange()
@@ -115,7 +109,11 @@ void CoupledRun::startFluid()
 {
     refuseGrainsInFluidOnRanks(nGrains_);
     const ::nscd::Grains& grains = dynamics_->grains();
-    immersion_ = std::make_unique<Immersion>(mesh_, properties_.voidFraction.forMapping(meanDiameter(grains)));
+    immersion_ = std::make_unique<Immersion>(mesh_);
+    if (hasGrains())
+    {
+        immersion_->mapping = std::make_unique<GrainMapping>(mesh_, properties_.voidFraction.forMapping(meanDiameter(grains)));
+    }
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
     sources.isStatic = hasGrains() && areAllFixed(grains);
