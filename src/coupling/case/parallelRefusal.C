@@ -43,7 +43,7 @@ void refuseLoneRanks(int argc, char* argv[])
 }
 
 
-void refuseOnRanks(const GrainProperties& properties)
+void refuseCollatedFiles()
 {
     if (!Pstream::parRun()) return;
     if (fileHandler().type() != fileOperations::uncollatedFileOperation::typeName)

@@ -3,6 +3,7 @@
 // Reading the fluid's fields, or making those that a fresh start does not have.
 
 #include "fluid/fluidFields.H"
+#include "fluid/rankPatches.H"
 
 #include "fvcFlux.H"
 #include "zeroGradientFvPatchFields.H"
@@ -43,7 +44,7 @@ FluidFields::FluidFields(const fvMesh& mesh, const volScalarField& alpha)
 :
     U(stored(mesh, "U", IOobject::MUST_READ), mesh),
     pRgh(stored(mesh, "p_rgh", IOobject::MUST_READ), mesh),
-    phi(stored(mesh, "phi", IOobject::READ_IF_PRESENT), fvc::flux(alpha*U)),
+    phi(stored(mesh, "phi", IOobject::READ_IF_PRESENT), (fillRankPatches(U), fvc::flux(alpha*U))),
     balancedGradient(zeroOrRead(mesh, "balancedGradient", dimPressure/dimLength)),
     divTau(zeroOrRead(mesh, "divTau", dimForce/dimVolume))
 {

@@ -3,6 +3,7 @@
 // The fluid's part of a time step, told in the order it happens.
 
 #include "fluid/fluidSolver.H"
+#include "fluid/rankPatches.H"
 
 namespace Foam
 {
@@ -58,6 +59,7 @@ FluidSolver::FluidSolver(fvMesh& mesh, GrainSources& sources, const dictionary& 
     pressure_(mesh, pimple_, p_, fields_.pRgh, meanFlowDict)
 {
     refuseConsistent(pimple_.dict());
+    fillAllRankPatches(mesh);
 }
 
 

@@ -3,6 +3,7 @@
 // The grains' cell fields: made, aged, and completed on the patches.
 
 #include "fluid/grainSources.H"
+#include "fluid/rankPatches.H"
 
 #include "zeroGradientFvPatchFields.H"
 
@@ -47,7 +48,9 @@ GrainSources::GrainSources(const fvMesh& mesh)
     carried(zeroField<vector>(mesh, "grainCarried", dimVelocity)),
     slip(zeroField<scalar>(mesh, "grainSlip", dimless)),
     mobility(zeroField<scalar>(mesh, "grainMobility", dimTime))
-{}
+{
+    fillRankPatches(alpha);
+}
 
 
 void GrainSources::beginStep()

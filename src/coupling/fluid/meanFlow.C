@@ -122,7 +122,10 @@ vector MeanFlow::mean(const surfaceScalarField& flux) const
 }
 
 
-tmp<surfaceScalarField> MeanFlow::unitResponse(const label i, const surfaceScalarField& mobility)
+tmp<surfaceScalarField> MeanFlow::unitResponse
+(
+    const label i, const surfaceScalarField& mobility, const label refCell
+)
 {
     vector unit = Zero;
     unit[axes_[i]] = 1;
@@ -136,7 +139,7 @@ tmp<surfaceScalarField> MeanFlow::unitResponse(const label i, const surfaceScala
     (
         fvm::laplacian(mobility, potential_[i], "laplacian(rAU,p_rgh)") == -fvc::div(mobility*gradientFlux)
     );
-    equation.setReference(Pstream::master() ? 0 : -1, 0);
+    equation.setReference(refCell, 0);
     equation.solve(mesh_.solver("p_rghFinal"));
     gradientFlux += equation.flux()/mobility;
     return tmp<surfaceScalarField>(new surfaceScalarField(gradientFlux));
@@ -149,7 +152,8 @@ void MeanFlow::hold
     surfaceScalarField& gradientFlux,
     volScalarField& pRgh,
     const surfaceScalarField& mobility,
-    const dimensionedScalar& rho
+    const dimensionedScalar& rho,
+    const label refCell
 )
 {
     // Without a flux through the walls the identity keeps the response regular along directions that are not periodic.
@@ -157,7 +161,7 @@ void MeanFlow::hold
     PtrList<surfaceScalarField> responses(axes_.size());
     forAll(axes_, i)
     {
-        responses.set(i, unitResponse(i, mobility));
+        responses.set(i, unitResponse(i, mobility, refCell));
         const vector flux = mean(mobility*responses[i]);
         for (const label axis : axes_) response(axis, axes_[i]) = flux[axis];
     }

@@ -117,7 +117,8 @@ tmp<surfaceScalarField> PressureCorrection::balanceMixture
       + solvePressure(fields.pRgh, mixture.free - mixture.mobility*uniform, mixture.mobility, rho)/mixture.mobility
     );
     mixtureFlux_.reset(new surfaceScalarField(mixture.free - mixture.mobility*gradientFlux()));
-    meanFlow_.hold(mixtureFlux_(), gradientFlux.ref(), fields.pRgh, mixture.mobility, rho);
+    const label refCell = fields.pRgh.needReference() ? refCell_ : Pstream::master() ? 0 : -1;
+    meanFlow_.hold(mixtureFlux_(), gradientFlux.ref(), fields.pRgh, mixture.mobility, rho, refCell);
     return gradientFlux;
 }
 

@@ -46,7 +46,7 @@ void CoupledRun::sampleFluid()
     const auto timer = timing_.time(StepPart::sampleFluid);
     if (!hasFluid() || !hasGrains()) return;
     const volScalarField* alpha = feedsBack() ? &immersion_->sources.alpha : nullptr;
-    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, immersion_->mapping, immersion_->atHome, active_, step_.at);
+    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, *immersion_->mapping, immersion_->atHome, active_, step_.at);
 }
 
 void CoupledRun::linearizeDrag()
@@ -73,7 +73,7 @@ void CoupledRun::linearizeDrag()
     step_.response.isZero = responds == 0;
     handOver
     (
-        grains, step_.drag, step_.response, debt_, immersion_->mapping, immersion_->atHome, rho, deltaT, immersion_->sources
+        grains, step_.drag, step_.response, debt_, *immersion_->mapping, immersion_->atHome, rho, deltaT, immersion_->sources
     );
 }
 
@@ -136,7 +136,7 @@ void CoupledRun::fluidForces()
         return;
     }
     const volScalarField* alpha = feedsBack() ? &immersion_->sources.alpha : nullptr;
-    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, immersion_->mapping, immersion_->atHome, active_, step_.at);
+    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, *immersion_->mapping, immersion_->atHome, active_, step_.at);
     step_.force = steadyForces(grains, step_.at, active_, immersion_->fluid->rho().value(), gravity_);
 }
 
@@ -232,8 +232,8 @@ void CoupledRun::depositGrains()
         return;
     }
     updateWeights();
-    if (immersion_->mapping.report().outsideMesh.empty()) return;
-    removeExited(immersion_->mapping.cells());
+    if (immersion_->mapping->report().outsideMesh.empty()) return;
+    removeExited(immersion_->mapping->cells());
     updateWeights();
     if (!hasGrains()) immersion_->sources.clear();
 }
@@ -247,8 +247,8 @@ void CoupledRun::updateWeights()
 void CoupledRun::updateWeightsAtHome()
 {
     if (homes_) bringHome();
-    else immersion_->mapping.update(dynamics_->grains(), scene_.box);
-    if (feedsBack()) immersion_->mapping.voidFraction(immersion_->sources.alpha);
+    else immersion_->mapping->update(dynamics_->grains(), scene_.box);
+    if (feedsBack()) immersion_->mapping->voidFraction(immersion_->sources.alpha);
 }
 
 void CoupledRun::removeExited(const std::vector<label>& cells)

@@ -57,8 +57,8 @@ void CoupledRun::bringHome()
     for (int attempt = 0; attempt < 3; ++attempt)
     {
         fluid.atHome.update(dynamics_->grains(), homes_->homes());
-        fluid.mapping.lookFirstIn(fluid.atHome.cells());
-        const MappingReport& report = fluid.mapping.update(fluid.atHome.grains(), scene_.box);
+        fluid.mapping->lookFirstIn(fluid.atHome.cells());
+        const MappingReport& report = fluid.mapping->update(fluid.atHome.grains(), scene_.box);
         if (returnReduce(report.away.empty() && report.outsideMesh.empty(), andOp<bool>())) return;
         std::vector<scalar> rank(fluid.atHome.cells().size(), Pstream::myProcNo());
         std::vector<scalar> cell(fluid.atHome.cells().begin(), fluid.atHome.cells().end());
@@ -100,7 +100,7 @@ void CoupledRun::writeOnHomes(GrainState state)
     cell = ranks_.moved(cell, rank);
     writeGrainState(mesh_, state, properties_.materials.table, labelList(cell.begin(), cell.end()));
     // From here on as a restart, which finds the grains in this order and knows no loads.
-    setState(ranks_.share(state, {}));
+    setState(hasGrains() ? ranks_.share(state, {}) : state);
 }
 
 } // namespace nscdCoupling

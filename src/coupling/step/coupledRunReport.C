@@ -48,7 +48,7 @@ StepRow CoupledRun::describeStep() const
     row.kineticEnergy = totals.kineticEnergy;
     row.massCenter = totals.massCenter;
     for (const Vec3& force : dynamics_->wallForce()) row.wallForce += toFoam(force);
-    row.grainVolume = hasFluid() ? immersion_->mapping.report().volumeDeposited : totals.volume;
+    row.grainVolume = hasFluid() && immersion_->mapping ? immersion_->mapping->report().volumeDeposited : totals.volume;
     row.momentumError = step_.momentumError;
     row.exited = exited_;
     row.courantMax = reach_.courant;
@@ -76,7 +76,8 @@ FluidSummary CoupledRun::describeFluid() const
     summary.pressureIterations = pressureIterations(mesh_);
     summary.continuityError = immersion_->fluid->continuityError().largest*time_.deltaTValue();
     summary.fluidFractionMin = gMin(immersion_->sources.alpha.primitiveField());
-    const MappingReport& mapped = immersion_->mapping.report();
+    if (!immersion_->mapping) return summary;
+    const MappingReport& mapped = immersion_->mapping->report();
     if (mapped.grainVolume > 0) summary.volumeError = mag(mapped.volumeDeposited - mapped.grainVolume)/mapped.grainVolume;
     return summary;
 }
@@ -99,7 +100,7 @@ void CoupledRun::write()
     else
     {
         labelList cells(label(state.grains.nOwned), -1);
-        if (hasFluid() && hasGrains()) std::copy(immersion_->mapping.cells().begin(), immersion_->mapping.cells().end(), cells.begin());
+        if (hasFluid() && hasGrains()) std::copy(immersion_->mapping->cells().begin(), immersion_->mapping->cells().end(), cells.begin());
         writeGrainState(mesh_, state, properties_.materials.table, cells);
     }
     writeExactTime(time_);

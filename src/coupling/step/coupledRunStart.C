@@ -9,6 +9,8 @@
 #include "case/parallelRefusal.H"
 #include "case/sceneLog.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -31,6 +33,11 @@ void continueTime(Time& time, scalar written)
     if (Time::timeName(written) == time.timeName()) time.setTime(written, time.timeIndex());
 }
 
+scalar largestRadius(const ::nscd::Grains& grains)
+{
+    return grains.size() > 0 ? *std::max_element(grains.radius.begin(), grains.radius.end()) : 0;
+}
+
 bool areAllFixed(const ::nscd::Grains& grains, const ::nscd::Exchange& exchange)
 {
     double anyFree = 0;
@@ -51,25 +58,17 @@ ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool hasFr
 
 GrainProperties readRunnable(const Time& time)
 {
-    GrainProperties properties = readGrainProperties(time);
-    refuseOnRanks(properties);
-    return properties;
+    refuseCollatedFiles();
+    return readGrainProperties(time);
 }
 
 } // namespace
-
-Immersion::Immersion(fvMesh& mesh, const dictionary& voidFraction, GrainsAtHome atHomeHere)
-:
-    sources(mesh),
-    mapping(mesh, voidFraction),
-    atHome(std::move(atHomeHere))
-{}
 
 CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
 :
     time_(time),
     mesh_(mesh),
-    properties_(readRunnable(time)),
+    properties_(readGrainProperties(time)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
     active_(activeForces(properties_.forces, properties_.solvesFluid, properties_.materials.table.anyFriction())),
@@ -102,9 +101,9 @@ void CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
     GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
-    state = ranks_.share(state, {});
-    const std::size_t n = state.grains.size();
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;
+    if (hasGrains()) state = ranks_.share(state, {});
+    const std::size_t n = state.grains.size();
     dynamics_ = std::make_unique<::nscd::GrainDynamics>
     (
         std::move(state.grains), properties_.materials.table, scene_.walls, scene_.box, properties_.contact, ranks_.exchange()
@@ -125,11 +124,12 @@ void CoupledRun::startGrains()
 void CoupledRun::startFluid()
 {
     const ::nscd::Grains& grains = dynamics_->grains();
-    const dictionary voidFraction = properties_.voidFraction.forMapping(meanDiameter(grains, *ranks_.exchange()));
-    immersion_ = std::make_unique<Immersion>
-    (
-        mesh_, voidFraction, ranks_.isParallel() ? GrainsAtHome(ranks_.tree()) : GrainsAtHome()
-    );
+    immersion_ = std::make_unique<Immersion>(mesh_, ranks_.isParallel() ? GrainsAtHome(ranks_.tree()) : GrainsAtHome());
+    if (hasGrains())
+    {
+        const dictionary voidFraction = properties_.voidFraction.forMapping(meanDiameter(grains, *ranks_.exchange()));
+        immersion_->mapping = std::make_unique<GrainMapping>(mesh_, voidFraction, largestRadius(grains));
+    }
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
     sources.isStatic = hasGrains() && areAllFixed(grains, *ranks_.exchange());
