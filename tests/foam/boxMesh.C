@@ -237,8 +237,12 @@ void BoxMesh::writeFile(const fileName& path, const std::string& contents) const
 {
     const fileName full = casePath_/path;
     mkDir(full.path());
+    // decomposePar takes those for fields that say so.
+    const bool isField = contents.find("internalField") != std::string::npos;
+    const bool isVector = contents.find("dimensions [0 1 -1 0 0 0 0]") != std::string::npos;
     std::ofstream(full)
-        << "FoamFile { version 2.0; format ascii; class dictionary; object " << full.name() << "; }\n"
+        << "FoamFile { version 2.0; format ascii; class " << (!isField ? "dictionary" : isVector ? "volVectorField" : "volScalarField")
+        << "; object " << full.name() << "; }\n"
         << contents << '\n';
 }
 

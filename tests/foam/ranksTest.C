@@ -25,10 +25,13 @@ constexpr double diameter = 0.023;
 const std::string glass = "materials { glass { density 2500; } } contacts { default { friction 0.3; } } fluid none;";
 const std::string closed = "patches { front { type wall; } back { type exit; } }";
 
+const std::string wetGlass = "materials { glass { density 2500; } } contacts { default { friction 0.3; } }";
+
 /// 64 spheres that fall onto the floor and each other.
-const std::string heap = glass
-    + "grains { type lattice; box (0 0 0) (0.1 0.1 0.1); count (4 4 4); diameter 0.023; spread 0.04; jitter 0.7; "
+const std::string lattice = "grains { type lattice; box (0 0 0) (0.1 0.1 0.1); count (4 4 4); diameter 0.023; spread 0.04; jitter 0.7; "
     "velocity (0.1 0.05 -0.5); }";
+const std::string heap = glass + lattice;
+const std::string wetHeap = wetGlass + lattice;
 
 Files dryFiles(const std::string& properties)
 {
@@ -299,6 +302,56 @@ TEST(Ranks, goOnOnAnotherNumberWithTheImpulses)
     EXPECT_NEAR(joined(parts, starts, "sweeps")[5], sweeps[5], 1 + 0.1*sweeps[5]);
 }
 
+TEST(Ranks, moveGrainsInAFluidAsOneRankDoes)
+{
+    // Water that flows through the heap, and the predictor of contacts; then air, in which grains are handed over as they are.
+    const std::string inflow = "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { "
+        "\"(left|right|bottom|top)\" { type noSlip; } front { type fixedValue; value uniform (0 0 0.05); } "
+        "back { type inletOutlet; inletValue uniform (0 0 0); value uniform (0 0 0); } }";
+    const std::string air = "transportModel Newtonian; nu 1.5e-5; rho 1.2;", water = "transportModel Newtonian; nu 1e-4; rho 1000;";
+    for (const std::string& fluid : {water, air})
+    {
+        const Files files{{"constant/grainProperties", wetHeap + closed}, {"0/U", inflow}, {"constant/transportProperties", fluid}};
+        const std::string control = "writeFormat binary; endTime 0.012; writeInterval 12;";
+        const ProgramCase alone(files, control);
+        EXPECT_TRUE(succeeds(alone.run()));
+        for (const labelVector& parts : {labelVector(2, 1, 1), labelVector(1, 1, 3), labelVector(2, 2, 1)})
+        {
+            const label ranks = cmptProduct(parts);
+            SCOPED_TRACE(fluid + std::to_string(ranks));
+            const ProgramCase together(files, control);
+            EXPECT_TRUE(succeeds(together.decompose(parts)));
+            EXPECT_TRUE(succeeds(together.runOn(ranks)));
+            expectSameMotion(alone, together, 8);
+            EXPECT_LT(largest(together.reported("0", "momentumError")), 1e-12);
+        }
+    }
+}
+
+TEST(Ranks, goOnWithAFluidAsIfNeverStopped)
+{
+    const Files files{{"constant/grainProperties", wetHeap + closed}};
+    const std::string control = "writeFormat binary; writeInterval 6; ";
+    const ProgramCase whole(files, control + "endTime 0.012;"), parts(files, control + "endTime 0.006;");
+    for (const ProgramCase* c : {&whole, &parts})
+    {
+        EXPECT_TRUE(succeeds(c->decompose(labelVector(1, 1, 3))));
+        EXPECT_TRUE(succeeds(c->runOn(3)));
+    }
+    parts.writeControl(control + "endTime 0.012;");
+    EXPECT_TRUE(succeeds(parts.runOn(3)));
+    EXPECT_EQ(filesThatDiffer(whole, parts, 3, "0.012"), std::vector<std::string>());
+    for (const char* field : {"U", "p_rgh", "phi", "alpha.fluid"})
+    {
+        for (const char* rank : {"processor0/0.012/", "processor1/0.012/", "processor2/0.012/"})
+        {
+            const std::string path = std::string(rank) + field;
+            EXPECT_FALSE(whole.contents(path).empty());
+            EXPECT_TRUE(whole.contents(path) == parts.contents(path)) << path;
+        }
+    }
+}
+
 TEST(Ranks, changeOwnersWhereLoadsAreUneven)
 {
     // A dense heap beside a thin cloud: shared out by number at the start, by contacts later.
@@ -322,9 +375,6 @@ TEST(Ranks, refuseWhatTheyCannotRun)
 {
     const ProgramCase wet;
     EXPECT_TRUE(succeeds(wet.decompose(labelVector(2, 1, 1))));
-    const ProgramRun fluid = wet.runOn(2);
-    EXPECT_NE(fluid.status, 0);
-    EXPECT_TRUE(holds(fluid.log, {"with a fluid works on one rank only", "fluid none"}));
     const ProgramRun collated = wet.runOn(2, "-parallel -fileHandler collated");
     EXPECT_NE(collated.status, 0);
     EXPECT_TRUE(holds(collated.log, {"uncollated"}));

@@ -33,9 +33,12 @@ void continueTime(Time& time, scalar written)
     if (Time::timeName(written) == time.timeName()) time.setTime(written, time.timeIndex());
 }
 
-scalar largestRadius(const ::nscd::Grains& grains)
+scalar largestRadius(const ::nscd::Grains& grains, const ::nscd::Exchange& exchange)
 {
-    return grains.size() > 0 ? *std::max_element(grains.radius.begin(), grains.radius.end()) : 0;
+    double largest = 0;
+    for (double radius : grains.radius) largest = std::max(largest, radius);
+    exchange.max(&largest, 1);
+    return largest;
 }
 
 bool areAllFixed(const ::nscd::Grains& grains, const ::nscd::Exchange& exchange)
@@ -128,7 +131,7 @@ void CoupledRun::startFluid()
     if (hasGrains())
     {
         const dictionary voidFraction = properties_.voidFraction.forMapping(meanDiameter(grains, *ranks_.exchange()));
-        immersion_->mapping = std::make_unique<GrainMapping>(mesh_, voidFraction, largestRadius(grains));
+        immersion_->mapping = std::make_unique<GrainMapping>(mesh_, voidFraction, largestRadius(grains, *ranks_.exchange()));
     }
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
