@@ -56,7 +56,7 @@ void startRanks(int argc, char** argv)
     Foam::UPstream::init(argc, argv, false);
     // Every rank reads its files itself: a SerialSection would wait for what rank 0 has read.
     Foam::IOobject::fileModificationChecking = Foam::IOobject::timeStamp;
-    if (::testing::GTEST_FLAG(filter) == "*") ::testing::GTEST_FLAG(filter) = "*Ranks.*";
+    if (::testing::GTEST_FLAG(filter) == "*") ::testing::GTEST_FLAG(filter) = "?*Ranks.*";
     if (Foam::Pstream::master()) return;
     ::testing::TestEventListeners& listeners = ::testing::UnitTest::GetInstance()->listeners();
     delete listeners.Release(listeners.default_result_printer());

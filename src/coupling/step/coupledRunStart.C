@@ -71,7 +71,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
 :
     time_(time),
     mesh_(mesh),
-    properties_(readGrainProperties(time)),
+    properties_(readRunnable(time)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
     active_(activeForces(properties_.forces, properties_.solvesFluid, properties_.materials.table.anyFriction())),
