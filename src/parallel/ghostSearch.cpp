@@ -4,6 +4,7 @@
 // Boxes up the tree of ranks, grains down.
 #include "ghostSearch.hpp"
 
+#include "halfBoxes.hpp"
 #include "invalidValue.hpp"
 
 #include <algorithm>
@@ -26,12 +27,6 @@ struct Ball
     std::int64_t id;
     int material, owner, index;
     int padding = 0;  ///< no byte of a message is undefined
-};
-
-/// The boxes around the spheres of a group's halves, this rank's and the other.
-struct Halves
-{
-    Box own, other;
 };
 
 std::vector<Ball> ballsOf(int rank, const Grains& grains, const std::vector<double>& reach, const PeriodicBox& box)
@@ -86,20 +81,6 @@ bool meets(const Ball& ball, const Box& around, const PeriodicBox& box)
     return distance2 <= radius*radius;
 }
 
-std::vector<Halves> boxesOfHalves(const RankTree& tree, Box own)
-{
-    using Corners = std::array<double, 6>;
-    std::vector<Halves> halves(tree.levels().size());
-    for (std::size_t l = halves.size(); l-- > 0;)
-    {
-        const Vec3 a = own.min(), b = own.max();
-        const Corners other = tellAcross(tree.levels()[l], Corners{a[0], a[1], a[2], b[0], b[1], b[2]});
-        halves[l] = {own, Box(Vec3(other.data()), Vec3(other.data() + 3))};
-        own = own.merged(halves[l].other);
-    }
-    return halves;
-}
-
 GhostGrain ghostOf(const Ball& ball)
 {
     const Vec3 position(ball.position.data());
@@ -109,7 +90,7 @@ GhostGrain ghostOf(const Ball& ball)
 /// Balls of other ranks that meet this rank's box: at the last level, this rank is a half.
 std::vector<Ball> routeDown(const RankTree& tree, const std::vector<Ball>& own, const PeriodicBox& box)
 {
-    const std::vector<Halves> halves = boxesOfHalves(tree, boxAround(own));
+    const std::vector<HalfBoxes> halves = boxesOfHalves(tree, boxAround(own));
     std::vector<Ball> received;
     for (std::size_t l = 0; l < halves.size(); ++l)
     {

@@ -33,6 +33,24 @@ Plain4 plain(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 Vec3 vectorOf(const Plain3& p) { return Vec3(p.data()); }
 Quaternion quaternionOf(const Plain4& p) { return Quaternion(p[0], p[1], p[2], p[3]); }
 
+/// Values of an Eigen type, which travel as plain numbers.
+template<class Value, class Back>
+std::vector<Value> movedAsPlain(const Migration& migration, const std::vector<Value>& values, const Back& back)
+{
+    std::vector<decltype(plain(values.front()))> sent;
+    for (const Value& value : values) sent.push_back(plain(value));
+    std::vector<Value> received;
+    for (const auto& value : migration.move(sent)) received.push_back(back(value));
+    return received;
+}
+
+/// StoredImpulse as plain numbers.
+struct ImpulseRecord
+{
+    std::int64_t idA, idB;
+    Plain3 impulse;
+};
+
 GrainRecord recordOf(const Grains& g, std::size_t i)
 {
     return
@@ -73,22 +91,11 @@ void Migration::checkNumber(std::size_t number) const
     if (number != destination_.size()) throw invalidValue("number of values to move", number, std::to_string(destination_.size()));
 }
 
-std::vector<Vec3> Migration::move(const std::vector<Vec3>& values) const
-{
-    std::vector<Plain3> sent;
-    for (const Vec3& value : values) sent.push_back(plain(value));
-    std::vector<Vec3> received;
-    for (const Plain3& value : move(sent)) received.push_back(vectorOf(value));
-    return received;
-}
+std::vector<Vec3> Migration::move(const std::vector<Vec3>& values) const { return movedAsPlain(*this, values, vectorOf); }
 
 std::vector<Quaternion> Migration::move(const std::vector<Quaternion>& values) const
 {
-    std::vector<Plain4> sent;
-    for (const Quaternion& value : values) sent.push_back(plain(value));
-    std::vector<Quaternion> received;
-    for (const Plain4& value : move(sent)) received.push_back(quaternionOf(value));
-    return received;
+    return movedAsPlain(*this, values, quaternionOf);
 }
 
 Grains Migration::moveGrains(const Grains& grains) const
@@ -99,6 +106,21 @@ Grains Migration::moveGrains(const Grains& grains) const
     received.shape = grains.shape;
     for (const GrainRecord& record : move(sent)) append(record, received);
     received.nOwned = received.size();
+    return received;
+}
+
+std::vector<StoredImpulse> moveImpulses
+(
+    const Communicator& all, const std::vector<StoredImpulse>& impulses, const std::vector<int>& destination
+)
+{
+    std::vector<ImpulseRecord> sent;
+    for (const StoredImpulse& entry : impulses) sent.push_back({entry.idA, entry.idB, plain(entry.impulse)});
+    std::vector<StoredImpulse> received;
+    for (const ImpulseRecord& entry : valuesOf<ImpulseRecord>(all.exchange(messagesByRank(sent, destination))))
+    {
+        received.push_back({entry.idA, entry.idB, vectorOf(entry.impulse)});
+    }
     return received;
 }
 

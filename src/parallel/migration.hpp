@@ -5,7 +5,7 @@
 #pragma once
 
 #include "communicator.hpp"
-#include "grains.hpp"
+#include "grainDynamics.hpp"
 
 namespace nscd
 {
@@ -41,5 +41,11 @@ private:
     const Communicator& all_;
     std::vector<int> destination_;
 };
+
+/// Brings each impulse to the rank that `destination` names for it. Collective.
+std::vector<StoredImpulse> moveImpulses
+(
+    const Communicator& all, const std::vector<StoredImpulse>& impulses, const std::vector<int>& destination
+);
 
 } // namespace nscd

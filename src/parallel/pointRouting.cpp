@@ -4,6 +4,8 @@
 // Boxes up the tree of ranks, points down.
 #include "pointRouting.hpp"
 
+#include "halfBoxes.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <tuple>
@@ -15,26 +17,6 @@ namespace
 {
 
 using Box = Eigen::AlignedBox3d;
-
-/// The boxes of a group's halves, this rank's and the other.
-struct Halves
-{
-    Box own, other;
-};
-
-std::vector<Halves> boxesOfHalves(const RankTree& tree, Box own)
-{
-    using Corners = std::array<double, 6>;
-    std::vector<Halves> halves(tree.levels().size());
-    for (std::size_t l = halves.size(); l-- > 0;)
-    {
-        const Vec3 a = own.min(), b = own.max();
-        const Corners other = tellAcross(tree.levels()[l], Corners{a[0], a[1], a[2], b[0], b[1], b[2]});
-        halves[l] = {own, Box(Vec3(other.data()), Vec3(other.data() + 3))};
-        own = own.merged(halves[l].other);
-    }
-    return halves;
-}
 
 bool lies(const RoutedPoint& point, const Box& box)
 {
@@ -51,7 +33,7 @@ std::vector<RoutedPoint> routePoints(const RankTree& tree, const std::vector<Vec
         const Vec3& x = points[i];
         here.push_back({{x[0], x[1], x[2]}, tree.all().rank(), static_cast<int>(i)});
     }
-    const std::vector<Halves> halves = boxesOfHalves(tree, own);
+    const std::vector<HalfBoxes> halves = boxesOfHalves(tree, own);
     for (std::size_t l = 0; l < halves.size(); ++l)
     {
         const auto isForOther = [&](const RoutedPoint& point) { return lies(point, halves[l].other); };

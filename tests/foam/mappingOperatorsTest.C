@@ -13,22 +13,6 @@ using namespace Foam;
 using namespace Foam::nscdCoupling;
 using namespace Foam::nscdCoupling::testing;
 
-scalarField randomField(const label n, const unsigned seed)
-{
-    std::mt19937 generator(seed);
-    std::uniform_real_distribution<scalar> random(-1, 1);
-    scalarField field(n);
-    for (scalar& value : field) value = random(generator);
-    return field;
-}
-
-vectorField randomVectors(const label n, const unsigned seed)
-{
-    vectorField field(n);
-    for (direction axis = 0; axis < 3; ++axis) field.replace(axis, randomField(n, seed + axis));
-    return field;
-}
-
 scalar volumeProduct(const fvMesh& mesh, const scalarField& a, const scalarField& b)
 {
     return sum(mesh.V().field()*a*b);

@@ -23,22 +23,6 @@ struct Scene
     bool smoothsAll = false;  // else `exact` alone is smoothed too: smoothing comes behind the method, whichever it is
 };
 
-scalarField randomField(const label n, const unsigned seed)
-{
-    std::mt19937 generator(seed);
-    std::uniform_real_distribution<scalar> random(-1, 1);
-    scalarField field(n);
-    for (scalar& value : field) value = random(generator);
-    return field;
-}
-
-vectorField randomVectors(const label n, const unsigned seed)
-{
-    vectorField field(n);
-    for (direction axis = 0; axis < 3; ++axis) field.replace(axis, randomField(n, seed + axis));
-    return field;
-}
-
 // Grains of several radii, none of which touch, on a jittered lattice; with ids in their order.
 ::nscd::Grains looseGrains(const point& size, const scalar largest, const bool isFlat = false)
 {

@@ -53,20 +53,12 @@ public:
         const nscd::Communicator& all = exchange_->tree().all();
         const std::vector<int> destination = nscd::partitionGrains(exchange_->tree(), own.position, dynamics_.loads());
         double lastDeltaT = 0.0;
-        std::vector<FlatImpulse> impulses;
         std::vector<int> impulseTo;
         std::map<std::int64_t, int> rankOf;
         for (std::size_t i = 0; i < own.size(); ++i) rankOf[own.id[i]] = destination[i];
-        for (const nscd::StoredImpulse& entry : dynamics_.checkpoint(lastDeltaT))
-        {
-            impulses.push_back({entry.idA, entry.idB, {entry.impulse[0], entry.impulse[1], entry.impulse[2]}});
-            impulseTo.push_back(rankOf.at(entry.idA));
-        }
-        std::vector<nscd::StoredImpulse> arrived;
-        for (const FlatImpulse& entry : nscd::valuesOf<FlatImpulse>(all.exchange(nscd::messagesByRank(impulses, impulseTo))))
-        {
-            arrived.push_back({entry.idA, entry.idB, Vec3(entry.impulse)});
-        }
+        const std::vector<nscd::StoredImpulse> impulses = dynamics_.checkpoint(lastDeltaT);
+        for (const nscd::StoredImpulse& entry : impulses) impulseTo.push_back(rankOf.at(entry.idA));
+        const std::vector<nscd::StoredImpulse> arrived = nscd::moveImpulses(all, impulses, impulseTo);
         const int left = static_cast<int>(own.size() - std::count(destination.begin(), destination.end(), all.rank()));
         dynamics_.setGrains(nscd::Migration(all, destination).moveGrains(own));
         dynamics_.restore(arrived, lastDeltaT);
@@ -130,12 +122,6 @@ public:
     }
 
 private:
-    struct FlatImpulse
-    {
-        std::int64_t idA, idB;
-        double impulse[3];
-    };
-
     nscd::Grains mine(const nscd::Grains& all, const OwnerOf& ownerOf) const
     {
         nscd::Grains own;

@@ -15,20 +15,22 @@ namespace nscdCoupling
 GrainTotals sumGrains(const nscd::Grains& grains, const nscd::Exchange& exchange)
 {
     nscd::Vec3 moment = nscd::Vec3::Zero();
-    double mass = 0;
+    double mass = 0, diameters = 0;
     double radii[2] = {-GREAT, 0};  // the least, negative, and the largest
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         moment += grains.mass[i]*grains.position[i];
         mass += grains.mass[i];
+        diameters += 2*grains.radius[i];
         radii[0] = std::max(radii[0], -grains.radius[i]);
         radii[1] = std::max(radii[1], grains.radius[i]);
     }
     double sums[] =
     {
-        double(grains.nOwned), mass, totalVolume(grains), kineticEnergy(grains), moment.x(), moment.y(), moment.z()
+        double(grains.nOwned), mass, totalVolume(grains), kineticEnergy(grains), moment.x(), moment.y(), moment.z(),
+        diameters
     };
-    exchange.sum(sums, 7);
+    exchange.sum(sums, 8);
     exchange.max(radii, 2);
 
     GrainTotals totals;
@@ -37,7 +39,11 @@ GrainTotals sumGrains(const nscd::Grains& grains, const nscd::Exchange& exchange
     totals.volume = sums[2];
     totals.kineticEnergy = sums[3];
     if (totals.mass > 0) totals.massCenter = vector(sums[4], sums[5], sums[6])/totals.mass;
-    if (totals.number > 0) totals.diameterMin = -2*radii[0];
+    if (totals.number > 0)
+    {
+        totals.diameterMean = sums[7]/sums[0];
+        totals.diameterMin = -2*radii[0];
+    }
     totals.diameterMax = 2*radii[1];
     return totals;
 }

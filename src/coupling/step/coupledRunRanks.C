@@ -38,6 +38,7 @@ void CoupledRun::setState(const GrainState& state)
 
 void CoupledRun::balanceRanks()
 {
+    const auto timer = timing_.time(StepPart::advanceGrains);
     if (!ranks_.isTimeToLook() || !hasGrains()) return;
     const std::vector<double> load = dynamics_->loads();
     if (!ranks_.isUneven(load)) return;
@@ -70,13 +71,16 @@ void CoupledRun::bringHome()
         fluid.atHome.toOwners({{&rank, &cell}, {}});
         homes_->correct(rank, cell);
     }
-    FatalErrorInFunction << "grains have no home in the mesh of any rank" << exit(FatalError);
+    const MappingReport& report = fluid.mapping->report();
+    for (const std::int64_t id : report.outsideMesh) Pout<< "grain " << label(id) << " is in no cell" << endl;
+    for (const AwayGrain& grain : report.away) Pout<< "grain " << label(grain.id) << " is in a cell of rank " << grain.home.rank << endl;
+    FatalErrorInFunction << "grains have no home in the mesh of any rank; their ids stand above" << exit(FatalError);
 }
 
 std::vector<label> CoupledRun::cellsElsewhere()
 {
     std::vector<label> cells;
-    for (const GrainHome& home : homes_->update(dynamics_->grains())) cells.push_back(home.cell);
+    for (const CellHome& home : homes_->update(dynamics_->grains())) cells.push_back(home.cell);
     return cells;
 }
 
@@ -84,7 +88,7 @@ void CoupledRun::writeOnHomes(GrainState state)
 {
     std::vector<int> rank;
     std::vector<label> cell;
-    for (const GrainHome& home : homes_->update(state.grains))
+    for (const CellHome& home : homes_->update(state.grains))
     {
         const std::size_t i = rank.size();
         if (home.rank < 0)
@@ -100,7 +104,7 @@ void CoupledRun::writeOnHomes(GrainState state)
     cell = ranks_.moved(cell, rank);
     writeGrainState(mesh_, state, properties_.materials.table, labelList(cell.begin(), cell.end()));
     // From here on as a restart, which finds the grains in this order and knows no loads.
-    setState(hasGrains() ? ranks_.share(state, {}) : state);
+    setState(ranks_.share(state, {}));
 }
 
 } // namespace nscdCoupling

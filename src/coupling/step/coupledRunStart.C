@@ -9,8 +9,6 @@
 #include "case/parallelRefusal.H"
 #include "case/sceneLog.H"
 
-#include <algorithm>
-
 namespace Foam
 {
 namespace nscdCoupling
@@ -19,26 +17,10 @@ namespace nscdCoupling
 namespace
 {
 
-scalar meanDiameter(const ::nscd::Grains& grains, const ::nscd::Exchange& exchange)
-{
-    double sums[2] = {0, double(grains.size())};
-    for (double radius : grains.radius) sums[0] += 2*radius;
-    exchange.sum(sums, 2);
-    return sums[1] > 0 ? sums[0]/sums[1] : 0;
-}
-
 /// The time that a directory's name gives has lost digits; a directory that was renamed, to start anew at 0 say, keeps its name.
 void continueTime(Time& time, scalar written)
 {
     if (Time::timeName(written) == time.timeName()) time.setTime(written, time.timeIndex());
-}
-
-scalar largestRadius(const ::nscd::Grains& grains, const ::nscd::Exchange& exchange)
-{
-    double largest = 0;
-    for (double radius : grains.radius) largest = std::max(largest, radius);
-    exchange.max(&largest, 1);
-    return largest;
 }
 
 bool areAllFixed(const ::nscd::Grains& grains, const ::nscd::Exchange& exchange)
@@ -105,7 +87,7 @@ void CoupledRun::startGrains()
     const bool isRestart = hasGrainState(mesh_);
     GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;
-    if (hasGrains()) state = ranks_.share(state, {});
+    state = ranks_.share(state, {});
     const std::size_t n = state.grains.size();
     dynamics_ = std::make_unique<::nscd::GrainDynamics>
     (
@@ -130,8 +112,9 @@ void CoupledRun::startFluid()
     immersion_ = std::make_unique<Immersion>(mesh_, ranks_.isParallel() ? GrainsAtHome(ranks_.tree()) : GrainsAtHome());
     if (hasGrains())
     {
-        const dictionary voidFraction = properties_.voidFraction.forMapping(meanDiameter(grains, *ranks_.exchange()));
-        immersion_->mapping = std::make_unique<GrainMapping>(mesh_, voidFraction, largestRadius(grains, *ranks_.exchange()));
+        const GrainTotals totals = sumGrains(grains, *ranks_.exchange());
+        const dictionary voidFraction = properties_.voidFraction.forMapping(totals.diameterMean);
+        immersion_->mapping = std::make_unique<GrainMapping>(mesh_, voidFraction, 0.5*totals.diameterMax);
     }
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();

@@ -56,6 +56,7 @@ Eigen::AlignedBox3d boxOf(const polyMesh& mesh)
 GrainHomes::GrainHomes(const polyMesh& mesh, const ::nscd::RankTree& tree)
 :
     mesh_(mesh),
+    box_(boxOf(mesh)),
     tree_(tree)
 {
     mesh_.tetBasePtIs();  // collective, and asked for by the search
@@ -105,8 +106,8 @@ void GrainHomes::askLastHomes(const ::nscd::Grains& grains)
     }
     for (const Answer& answer : ::nscd::valuesOf<Answer>(all.exchange(::nscd::messagesByRank(answers, askers))))
     {
-        GrainHome& home = homes_[answer.index];
-        home = answer.cell < 0 ? GrainHome() : GrainHome{home.rank, answer.cell};
+        CellHome& home = homes_[answer.index];
+        home = answer.cell < 0 ? CellHome() : CellHome{home.rank, answer.cell};
     }
 }
 
@@ -122,7 +123,7 @@ void GrainHomes::askAround(const ::nscd::Grains& grains)
     }
     std::vector<Answer> answers;
     std::vector<int> askers;
-    for (const ::nscd::RoutedPoint& asked : ::nscd::routePoints(tree_, astray, boxOf(mesh_)))
+    for (const ::nscd::RoutedPoint& asked : ::nscd::routePoints(tree_, astray, box_))
     {
         const label cell = search(pointOf(asked.position));
         if (cell < 0) continue;
@@ -136,13 +137,13 @@ void GrainHomes::askAround(const ::nscd::Grains& grains)
         ::nscd::unpack(message.bytes, found);
         for (const Answer& answer : found)
         {
-            GrainHome& home = homes_[grainOf[answer.index]];
+            CellHome& home = homes_[grainOf[answer.index]];
             if (home.rank < 0) home = {message.rank, answer.cell};
         }
     }
 }
 
-const std::vector<GrainHome>& GrainHomes::update(const ::nscd::Grains& grains)
+const std::vector<CellHome>& GrainHomes::update(const ::nscd::Grains& grains)
 {
     homes_.resize(grains.nOwned);
     askLastHomes(grains);

@@ -28,28 +28,6 @@ constexpr label stepsBetweenLooks = 10;
 /// What the last share() left may grow by this before it is tried again.
 constexpr scalar hopeForBetter = 1.1;
 
-/// StoredImpulse without Eigen's types.
-struct ImpulseOnWay
-{
-    std::int64_t idA, idB;
-    std::array<double, 3> impulse;
-};
-
-std::vector<::nscd::StoredImpulse> movedContacts
-(
-    const ::nscd::Communicator& all, const std::vector<::nscd::StoredImpulse>& contacts, const std::vector<int>& destination
-)
-{
-    std::vector<ImpulseOnWay> sent;
-    for (const ::nscd::StoredImpulse& c : contacts) sent.push_back({c.idA, c.idB, {c.impulse[0], c.impulse[1], c.impulse[2]}});
-    std::vector<::nscd::StoredImpulse> received;
-    for (const ImpulseOnWay& c : ::nscd::valuesOf<ImpulseOnWay>(all.exchange(::nscd::messagesByRank(sent, destination))))
-    {
-        received.push_back({c.idA, c.idB, ::nscd::Vec3(c.impulse.data())});
-    }
-    return received;
-}
-
 /// Where each contact's first grain, one of this rank's, goes.
 std::vector<int> destinationsOfContacts(const GrainState& state, const std::vector<int>& destination)
 {
@@ -100,7 +78,7 @@ GrainState GrainRanks::joinContacts(GrainState state, const polyMesh& mesh) cons
     {
         if (ownerA[k] < 0 || ownerB[k] < 0) refuseContact(mesh, state.contacts[k]);
     }
-    state.contacts = movedContacts(all, state.contacts, ownerA);
+    state.contacts = ::nscd::moveImpulses(all, state.contacts, ownerA);
     return state;
 }
 
@@ -111,7 +89,7 @@ GrainState GrainRanks::moved(const GrainState& state, const std::vector<int>& de
     there.grains = move.moveGrains(state.grains);
     for (const auto& [name, values] : state.extras.scalars) there.extras.scalars[name] = move.move(values);
     for (const auto& [name, values] : state.extras.vectors) there.extras.vectors[name] = move.move(values);
-    there.contacts = movedContacts(mpi_->tree().all(), state.contacts, destinationsOfContacts(state, destination));
+    there.contacts = ::nscd::moveImpulses(mpi_->tree().all(), state.contacts, destinationsOfContacts(state, destination));
     there.numbers = state.numbers;
     return there;
 }

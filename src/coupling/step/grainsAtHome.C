@@ -66,11 +66,11 @@ GrainsAtHome::GrainsAtHome(const ::nscd::RankTree& tree)
     link_(std::make_unique<::nscd::GrainLink>(tree.all()))
 {}
 
-void GrainsAtHome::update(const ::nscd::Grains& own, const std::vector<GrainHome>& homes)
+void GrainsAtHome::update(const ::nscd::Grains& own, const std::vector<CellHome>& homes)
 {
     std::vector<int> ranks;
     std::vector<scalar> cell;
-    for (const GrainHome& home : homes)
+    for (const CellHome& home : homes)
     {
         ranks.push_back(home.rank);
         cell.push_back(home.cell);
