@@ -133,12 +133,9 @@ void GrainMapping::locate(const ::nscd::Grains& grains, const ::nscd::PeriodicBo
     }
 }
 
-std::vector<CellHome> GrainMapping::homes(const ::nscd::Grains& grains, const ::nscd::PeriodicBox& box)
+CellHome GrainMapping::find(const Vec3& position, const label guess) const
 {
-    locate(grains, box);
-    std::vector<CellHome> result;
-    for (const label cell : cells_) result.push_back(layout_->mesh.home(cell));
-    return result;
+    return layout_->mesh.home(layout_->locator.find(position, guess));
 }
 
 void GrainMapping::listMissing(const ::nscd::Grains& grains)

@@ -93,12 +93,11 @@ void AndersonAcceleration::mix(const std::vector<ContactBlock>& blocks, Impulses
     }
     column_ = stored_ < mixingDepth ? stored_++ : (column_ + 1) % mixingDepth;
     MixingSums sums = addDifferences_(blocks.data(), range_, r.data(), history());
-    halo_.sum(sums.gram, mixingDepth);
-    halo_.sum(sums.projection, mixingDepth);
+    halo_.sum(sums.values, 2*mixingDepth);
     for (int column = 0; column < stored_; ++column)
     {
-        gram_(column, column_) = gram_(column_, column) = sums.gram[column];
-        projection_[column] = sums.projection[column];
+        gram_(column, column_) = gram_(column_, column) = sums.gram(column);
+        projection_[column] = sums.projection(column);
     }
     const Gamma gamma = solveLeastSquares();
     if (!gamma.allFinite())

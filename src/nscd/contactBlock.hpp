@@ -79,8 +79,10 @@ struct MixingHistory
 /// Inner products of the newest differences df and of f with all columns, each weighted with W_nn.
 struct MixingSums
 {
-    double gram[mixingDepth];
-    double projection[mixingDepth];
+    double values[2*mixingDepth];   ///< products with df, then with f: summed over ranks together
+
+    double& gram(int column) { return values[column]; }
+    double& projection(int column) { return values[mixingDepth + column]; }
 };
 
 /// Moves a history on to what the blocks hold now, which sweeps made of `start`.

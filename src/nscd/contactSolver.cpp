@@ -22,8 +22,9 @@ constexpr double finestPolish = 3e-3;
 DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& other)
 {
     double sums[2] = {one.sumSquares + other.sumSquares, one.active + other.active};
-    halo.sum(sums, 2);
-    return {sums[0], halo.max(std::max(one.maxSquare, other.maxSquare)), sums[1]};
+    double max = std::max(one.maxSquare, other.maxSquare);
+    halo.sumAndMax(sums, max);
+    return {sums[0], max, sums[1]};
 }
 
 } // namespace

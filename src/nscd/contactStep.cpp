@@ -214,8 +214,8 @@ OverlapStatistics measureOverlap(const ContactList& list, double diameter)
         sums[0] += depth;
         sums[1] += 1.0;
     }
-    list.halo.sum(sums, 2);
-    return {list.halo.max(deepest), sums[1] > 0.0 ? sums[0]/sums[1] : 0.0};
+    list.halo.sumAndMax(sums, deepest);
+    return {deepest, sums[1] > 0.0 ? sums[0]/sums[1] : 0.0};
 }
 
 bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, double threshold, double deadBand)

@@ -47,6 +47,8 @@ public:
     /// Replaces `count` values by their sums or maxima over all ranks; the same bits on every rank.
     virtual void sum(double* /*values*/, int /*count*/) const {}
     virtual void max(double* /*values*/, int /*count*/) const {}
+    /// Two sums and a maximum in one go.
+    virtual void sumAndMax(double (&/*sums*/)[2], double& /*max*/) const {}
 
     /// Grains of other ranks whose spheres of radius + reach may meet one of this rank's, in a periodic image perhaps: all that
     /// do, and others nearby. In an order that is the same from run to run.

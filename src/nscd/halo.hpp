@@ -52,6 +52,7 @@ public:
     bool any(bool value) const { return max(value ? 1.0 : 0.0) > 0.0; }
     void sum(double* values, int count) const { if (exchange_) exchange_->sum(values, count); }
     void max(double* values, int count) const { if (exchange_) exchange_->max(values, count); }
+    void sumAndMax(double (&sums)[2], double& max) const { if (exchange_) exchange_->sumAndMax(sums, max); }
 
 private:
     Exchange* exchange_ = nullptr;

@@ -85,8 +85,8 @@ inline MixingSums addDifferences(const ContactBlock* blocks, BlockRange range, c
     MixingSums sums;
     for (int column = 0; column < mixingDepth; ++column)
     {
-        sums.gram[column] = sumLanes(gram[column]);
-        sums.projection[column] = sumLanes(projection[column]);
+        sums.gram(column) = sumLanes(gram[column]);
+        sums.projection(column) = sumLanes(projection[column]);
     }
     return sums;
 }

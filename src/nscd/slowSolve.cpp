@@ -22,8 +22,6 @@ constexpr double fastContraction = 0.93;
 constexpr int sweepsPerMixing = 3;
 /// A mixing after which the sum of squared defects grows by more than this is taken back.
 constexpr double growthAllowed = 4.0;
-/// All is well but for a few contacts: rms below this many times its limit, the largest above its own.
-constexpr double nearlyMet = 2.0;
 /// Sweeps in which mixing must bring the sum of squared defects below this share, else it pauses: high friction can trap it.
 constexpr double leastProgress = 0.9;
 constexpr int probation = 60;
@@ -113,8 +111,7 @@ void SlowSolve::revert()
 
 bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const
 {
-    return sweeps - lastLocal_ > sweepsBetweenQueues && sums.maxSquare > rule.maxLimit*rule.maxLimit
-        && rms(sums) < nearlyMet*rule.rmsLimit;
+    return sweeps - lastLocal_ > sweepsBetweenQueues && sums.maxSquare > rule.maxLimit*rule.maxLimit && rms(sums) < rule.rmsLimit;
 }
 
 int SlowSolve::solveLocally(int sweeps, const StopRule& rule)

@@ -37,7 +37,51 @@ Message receive(MPI_Comm comm, const MPI_Status& arrived)
     return message;
 }
 
+bool isMpiOver()
+{
+    int isOver = 0;
+    MPI_Finalized(&isOver);
+    return isOver != 0;
+}
+
+/// Of numbers in threes.
+void addTwoAndTakeMax(void* from, void* to, int* count, MPI_Datatype*)
+{
+    const double* x = static_cast<const double*>(from);
+    double* y = static_cast<double*>(to);
+    for (int k = 0; k < *count; ++k, x += 3, y += 3)
+    {
+        y[0] += x[0];
+        y[1] += x[1];
+        y[2] = std::max(y[2], x[2]);
+    }
+}
+
 } // namespace
+
+struct SumAndMax
+{
+    SumAndMax()
+    {
+        MPI_Type_contiguous(3, MPI_DOUBLE, &type);
+        MPI_Type_commit(&type);
+        MPI_Op_create(addTwoAndTakeMax, /* commutes */ 1, &operation);
+    }
+
+    ~SumAndMax()
+    {
+        // Who started MPI may have ended it before us.
+        if (isMpiOver()) return;
+        MPI_Op_free(&operation);
+        MPI_Type_free(&type);
+    }
+
+    SumAndMax(const SumAndMax&) = delete;
+    SumAndMax& operator=(const SumAndMax&) = delete;
+
+    MPI_Datatype type;
+    MPI_Op operation;
+};
 
 Communicator::Communicator(MPI_Comm parent)
 :
@@ -46,15 +90,17 @@ Communicator::Communicator(MPI_Comm parent)
     int isStarted = 0;
     MPI_Initialized(&isStarted);
     if (!isStarted) return;
+    sumAndMax_ = std::make_shared<const SumAndMax>();
     MPI_Comm_dup(parent, &comm_);
     MPI_Comm_rank(comm_, &rank_);
     MPI_Comm_size(comm_, &size_);
 }
 
-Communicator::Communicator(MPI_Comm own, std::shared_ptr<Traffic> traffic)
+Communicator::Communicator(MPI_Comm own, const Communicator& parent)
 :
     comm_(own),
-    traffic_(std::move(traffic))
+    traffic_(parent.traffic_),
+    sumAndMax_(parent.sumAndMax_)
 {
     if (own == MPI_COMM_NULL) return;
     MPI_Comm_rank(comm_, &rank_);
@@ -67,6 +113,7 @@ Communicator::Communicator(Communicator&& other) noexcept
     rank_(other.rank_),
     size_(other.size_),
     traffic_(other.traffic_),
+    sumAndMax_(other.sumAndMax_),
     round_(other.round_)
 {}
 
@@ -76,6 +123,7 @@ Communicator& Communicator::operator=(Communicator&& other) noexcept
     std::swap(rank_, other.rank_);
     std::swap(size_, other.size_);
     std::swap(traffic_, other.traffic_);
+    std::swap(sumAndMax_, other.sumAndMax_);
     std::swap(round_, other.round_);
     return *this;
 }
@@ -83,34 +131,41 @@ Communicator& Communicator::operator=(Communicator&& other) noexcept
 Communicator::~Communicator()
 {
     if (comm_ == MPI_COMM_NULL) return;
-    // Who started MPI may have ended it before us.
-    int isOver = 0;
-    MPI_Finalized(&isOver);
-    if (!isOver) MPI_Comm_free(&comm_);
+    if (!isMpiOver()) MPI_Comm_free(&comm_);
 }
 
-void Communicator::reduce(double* values, int count, MPI_Op operation) const
+void Communicator::reduce(void* values, int count, MPI_Datatype type, MPI_Op operation) const
 {
     if (size_ == 1) return;
     ++traffic_->reductions;
-    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, operation, comm_);
+    MPI_Allreduce(MPI_IN_PLACE, values, count, type, operation, comm_);
 }
 
 void Communicator::sum(double* values, int count) const
 {
-    reduce(values, count, MPI_SUM);
+    reduce(values, count, MPI_DOUBLE, MPI_SUM);
 }
 
 void Communicator::max(double* values, int count) const
 {
-    reduce(values, count, MPI_MAX);
+    reduce(values, count, MPI_DOUBLE, MPI_MAX);
+}
+
+void Communicator::sumAndMax(double (&sums)[2], double& max) const
+{
+    if (size_ == 1) return;
+    double values[3] = {sums[0], sums[1], max};
+    reduce(values, 1, sumAndMax_->type, sumAndMax_->operation);
+    sums[0] = values[0];
+    sums[1] = values[1];
+    max = values[2];
 }
 
 Communicator Communicator::split(int color) const
 {
     MPI_Comm part = MPI_COMM_NULL;
     if (comm_ != MPI_COMM_NULL) MPI_Comm_split(comm_, color, rank_, &part);
-    return Communicator(part, traffic_);
+    return Communicator(part, *this);
 }
 
 void Communicator::count(std::size_t bytes) const

@@ -19,7 +19,7 @@ struct Traffic
 {
     std::int64_t messages = 0;
     std::int64_t bytes = 0;       ///< in these messages
-    std::int64_t reductions = 0;  ///< calls of sum() and max(), each log2(size) messages deep
+    std::int64_t reductions = 0;  ///< calls of sum(), max() and sumAndMax(), each log2(size) messages deep
 };
 
 /// A number of entries for a rank, or from one.
@@ -28,6 +28,9 @@ struct RankCount
     int rank;
     int count;
 };
+
+/// What MPI must be told to reduce two sums and a maximum together; in communicator.cpp.
+struct SumAndMax;
 
 /// A group of ranks with messages of its own. All functions but rank(), size() and traffic() are collective over the ranks
 /// that take part. MPI's errors end the run, as MPI does by default.
@@ -47,6 +50,8 @@ public:
     /// Replaces `count` values by their sums or maxima over all ranks; the same bits on every rank, as MPI promises.
     void sum(double* values, int count) const;
     void max(double* values, int count) const;
+    /// Two sums and a maximum in one reduction.
+    void sumAndMax(double (&sums)[2], double& max) const;
 
     /// The ranks that give the same color, in the same order as here. Counts its traffic here too.
     Communicator split(int color) const;
@@ -70,9 +75,9 @@ public:
     ) const;
 
 private:
-    Communicator(MPI_Comm own, std::shared_ptr<Traffic> traffic);
+    Communicator(MPI_Comm own, const Communicator& parent);
 
-    void reduce(double* values, int count, MPI_Op operation) const;
+    void reduce(void* values, int count, MPI_Datatype type, MPI_Op operation) const;
     std::vector<MPI_Request> startSends(const std::vector<Message>& outgoing, int tag) const;
     void receiveArrived(int tag, std::vector<Message>& incoming) const;
     void count(std::size_t bytes) const;
@@ -81,6 +86,7 @@ private:
     int rank_ = 0;
     int size_ = 1;
     std::shared_ptr<Traffic> traffic_;
+    std::shared_ptr<const SumAndMax> sumAndMax_;
     mutable int round_ = 0;  ///< of exchange(), modulo 2
 };
 

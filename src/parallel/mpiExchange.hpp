@@ -22,6 +22,7 @@ public:
     bool isParallel() const override { return tree_.all().size() > 1; }
     void sum(double* values, int count) const override { tree_.all().sum(values, count); }
     void max(double* values, int count) const override { tree_.all().max(values, count); }
+    void sumAndMax(double (&sums)[2], double& max) const override { tree_.all().sumAndMax(sums, max); }
 
     std::vector<GhostGrain> findGhosts(const Grains& owned, const std::vector<double>& reach, const PeriodicBox& box) override;
     std::vector<int> connect(const std::vector<GhostGrain>& ghosts) override;

@@ -422,14 +422,13 @@ TEST(mappingRanks, grainsAwayFromHomeAreNamed)
     for (const bool knowsCells : {false, true})
     {
         GrainMapping mapping(mesh.part(), mappingDict("exact"), 0.35);
-        if (knowsCells)
+        std::vector<CellHome> homes;
+        for (std::size_t i = 0; i < mine.size(); ++i)
         {
-            const SerialSection serial;
-            ::nscd::Grains old = carried;
-            for (std::size_t i = 0; i < mine.size(); ++i) old.position[i] = looseGrains(point(8, 6, 5), 0.3).position[mine[i]];
-            mapping.homes(old, period);
+            const CellHome old = mapping.find(looseGrains(point(8, 6, 5), 0.3).position[mine[i]], -1);
+            ASSERT_EQ(old.rank, Pstream::myProcNo());
+            homes.push_back(mapping.find(period.wrap(carried.position[i]), knowsCells ? old.cell : -1));
         }
-        const std::vector<CellHome> homes = mapping.homes(carried, period);
         const MappingReport& report = mapping.update(carried, period);
         EXPECT_TRUE(report.outsideMesh.empty());
         std::size_t nAway = 0;

@@ -21,6 +21,11 @@ TEST(Communicator, sumsAndMaximaOverAllRanks)
     EXPECT_EQ(sums[1], n*(n - 1)/2);
     EXPECT_EQ(maxima[0], n - 1);
     EXPECT_EQ(maxima[1], -1.0);
+    double both[2] = {2.0, double(all.rank())}, max = -double(all.rank());
+    all.sumAndMax(both, max);
+    EXPECT_EQ(both[0], 2*n);
+    EXPECT_EQ(both[1], n*(n - 1)/2);
+    EXPECT_EQ(max, 0.0);
 }
 
 TEST(Communicator, sumsAreTheSameBitsOnAllRanks)
@@ -43,6 +48,8 @@ TEST(Communicator, oneRankReducesWithoutMessages)
     double value = 3.0;
     alone.sum(&value, 1);
     alone.max(&value, 1);
+    double sums[2] = {1.0, 2.0};
+    alone.sumAndMax(sums, value);
     EXPECT_EQ(value, 3.0);
     EXPECT_EQ(all.traffic().reductions, 0);
 }

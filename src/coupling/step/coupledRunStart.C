@@ -61,9 +61,8 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     log_(time, Info, properties_.solvesFluid)
 {
     startGrains();
-    if (ranks_.isParallel()) homes_ = std::make_unique<GrainHomes>(mesh, ranks_.tree());
+    startHomes();
     if (properties_.solvesFluid) startFluid();
-    else if (!ranks_.isParallel() && hasExits()) locations_ = std::make_unique<GrainLocations>(mesh);
     report_ = std::make_unique<GrainReport>(time);
     logScene(Info, properties_, scene_, sumGrains(dynamics_->grains(), *ranks_.exchange()), mesh, hasGrainState(mesh));
 }
@@ -104,6 +103,16 @@ void CoupledRun::startGrains()
     continueTime(time_, state.numbers.at("time"));
     reach_ = {state.numbers.at("courant"), state.numbers.at("displacement"), true};
     dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
+}
+
+void CoupledRun::startHomes()
+{
+    if (ranks_.isParallel())
+    {
+        const FindHome inMapping = [this](const Vec3& position, label guess) { return immersion_->mapping->find(position, guess); };
+        homes_ = std::make_unique<GrainHomes>(mesh_, ranks_.tree(), properties_.solvesFluid ? inMapping : findHomeIn(mesh_));
+    }
+    else if (!properties_.solvesFluid && hasExits()) locations_ = std::make_unique<GrainLocations>(mesh_);
 }
 
 void CoupledRun::startFluid()

@@ -5,12 +5,10 @@
 #include "step/grainHomes.H"
 
 #include "case/grainExits.H"
+#include "cellLocator.H"
 #include "vectorConversion.H"
 
 #include "pointRouting.hpp"
-
-#include "indexedOctree.H"
-#include "treeDataCell.H"
 
 namespace Foam
 {
@@ -28,14 +26,13 @@ struct Question
     label index;   ///< where it is owned
 };
 
-/// Found in a cell of the rank that answers; -1: not there.
 struct Answer
 {
     label index;
-    label cell;
+    CellHome home;   ///< rank -1: not known here
 };
 
-point pointOf(const std::array<double, 3>& x) { return point(x[0], x[1], x[2]); }
+::nscd::Vec3 vectorOf(const std::array<double, 3>& x) { return ::nscd::Vec3(x[0], x[1], x[2]); }
 
 /// The part of the mesh, with room for round-off.
 Eigen::AlignedBox3d boxOf(const polyMesh& mesh)
@@ -51,34 +48,29 @@ Eigen::AlignedBox3d boxOf(const polyMesh& mesh)
     return box;
 }
 
+/// A mesh and what finds cells in it.
+struct LocatedMesh
+{
+    explicit LocatedMesh(const fvMesh& mesh) : cells(makeMappingMesh(mesh)), locator(cells, mesh) {}
+
+    MappingMesh cells;
+    CellLocator locator;
+};
+
 } // namespace
 
-GrainHomes::GrainHomes(const polyMesh& mesh, const ::nscd::RankTree& tree)
+FindHome findHomeIn(const fvMesh& mesh)
+{
+    const auto located = std::make_shared<const LocatedMesh>(mesh);
+    return [located](const ::nscd::Vec3& position, label guess) { return located->cells.home(located->locator.find(position, guess)); };
+}
+
+GrainHomes::GrainHomes(const polyMesh& mesh, const ::nscd::RankTree& tree, FindHome find)
 :
-    mesh_(mesh),
     box_(boxOf(mesh)),
-    tree_(tree)
-{
-    mesh_.tetBasePtIs();  // collective, and asked for by the search
-}
-
-label GrainHomes::search(const point& position) const
-{
-    if (mesh_.nCells() == 0) return -1;
-    const label cell = mesh_.cellTree().findInside(position);
-    // The octree may miss a point on the border of the mesh.
-    return cell >= 0 ? cell : mesh_.cellTree().findInside(position + 1e-9*(mesh_.bounds().centre() - position));
-}
-
-label GrainHomes::find(const point& position, label guess) const
-{
-    if (mesh_.pointInCell(position, guess)) return guess;
-    for (const label cell : mesh_.cellCells()[guess])
-    {
-        if (mesh_.pointInCell(position, cell)) return cell;
-    }
-    return search(position);
-}
+    tree_(tree),
+    find_(std::move(find))
+{}
 
 void GrainHomes::askLastHomes(const ::nscd::Grains& grains)
 {
@@ -100,14 +92,13 @@ void GrainHomes::askLastHomes(const ::nscd::Grains& grains)
         ::nscd::unpack(message.bytes, asked);
         for (const Question& question : asked)
         {
-            answers.push_back({question.index, find(pointOf(question.position), question.guess)});
+            answers.push_back({question.index, find_(vectorOf(question.position), question.guess)});
             askers.push_back(message.rank);
         }
     }
     for (const Answer& answer : ::nscd::valuesOf<Answer>(all.exchange(::nscd::messagesByRank(answers, askers))))
     {
-        CellHome& home = homes_[answer.index];
-        home = answer.cell < 0 ? CellHome() : CellHome{home.rank, answer.cell};
+        homes_[answer.index] = answer.home;
     }
 }
 
@@ -125,9 +116,9 @@ void GrainHomes::askAround(const ::nscd::Grains& grains)
     std::vector<int> askers;
     for (const ::nscd::RoutedPoint& asked : ::nscd::routePoints(tree_, astray, box_))
     {
-        const label cell = search(pointOf(asked.position));
-        if (cell < 0) continue;
-        answers.push_back({asked.index, cell});
+        const CellHome home = find_(vectorOf(asked.position), -1);
+        if (home.rank < 0) continue;
+        answers.push_back({asked.index, home});
         askers.push_back(asked.origin);
     }
     // Messages come by ascending rank: the first to claim a grain is the lowest.
@@ -138,7 +129,7 @@ void GrainHomes::askAround(const ::nscd::Grains& grains)
         for (const Answer& answer : found)
         {
             CellHome& home = homes_[grainOf[answer.index]];
-            if (home.rank < 0) home = {message.rank, answer.cell};
+            if (home.rank < 0) home = answer.home;
         }
     }
 }
