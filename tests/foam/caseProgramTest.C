@@ -5,6 +5,7 @@
 #include "caseTools.H"
 #include "programCase.H"
 
+#include "IFstream.H"
 #include "OSspecific.H"
 
 using namespace Foam;
@@ -38,6 +39,15 @@ const std::string grains =
 ::testing::AssertionResult succeeds(const ProgramRun& run)
 {
     return run.status == 0 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << run.status << ": " << run.log;
+}
+
+/// A field of the grains at the last written time.
+List<vector> grainVectors(const ProgramCase& c, const std::string& field)
+{
+    IFstream is(c.path(c.latestTime() + "/lagrangian/grains/" + field));
+    token head(is);
+    const dictionary header(is);
+    return List<vector>(is);
 }
 
 } // namespace
@@ -131,6 +141,38 @@ std::string solvers(const std::string& pressure, const std::string& velocity)
 }
 
 } // namespace
+
+TEST(Program, keepsDiscsInTheirPlane)
+{
+    BoxMeshSettings box = programBox();
+    box.cells = labelVector(5, 8, 1);
+    box.max = point(0.1, 0.2, 0.02);
+    box.patchTypes = {"wall", "wall", "wall", "patch", "empty", "empty"};
+    box.movePoint = [](const point& x) { return point(x.x() + 0.2*x.y(), x.y() - 0.1*x.x(), x.z()); };
+    const std::string flat = "\"(front|back)\" { type empty; } \"(left|right|bottom)\" ";
+    const ProgramCase c
+    ({
+        {"constant/grainProperties",
+            "materials { glass { density 2500; } } contacts { default { friction 0.3; } } grains { type lattice; "
+            "box (0.03 0 0) (0.1 0.15 0.02); count (4 9 1); diameter 0.0155; spread 0.03; jitter 0.5; velocity (0.1 -0.5 0); } patches { top { type exit; } }"},
+        {"constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);"},
+        {"0/U", "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { " + flat
+          + "{ type noSlip; } top { type inletOutlet; inletValue uniform (0 0 0); value uniform (0 0 0); } }"},
+        {"0/p_rgh",
+            "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { " + flat
+          + "{ type fixedFluxPressure; value uniform 0; } top { type fixedValue; value uniform 0; } }"}
+    }, "endTime 0.03;", box);
+    EXPECT_TRUE(succeeds(c.run()));
+    EXPECT_GT(c.reported("0", "contacts").back(), 4);
+    vector across(Zero);
+    for (const vector& u : grainVectors(c, "U")) across.z() = max(across.z(), mag(u.z()));
+    for (const vector& spin : grainVectors(c, "omega"))
+    {
+        across.x() = max(across.x(), mag(spin.x()));
+        across.y() = max(across.y(), mag(spin.y()));
+    }
+    EXPECT_EQ(across, vector(Zero));
+}
 
 TEST(Program, stopsAtSchemesThatAreMissingOrUnknown)
 {

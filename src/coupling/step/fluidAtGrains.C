@@ -4,12 +4,32 @@
 // Sampling of the fluid at the grains.
 #include "step/fluidAtGrains.H"
 
+#include "case/patchRoles.H"
+
 #include "fvcCurl.H"
 
 namespace Foam
 {
 namespace nscdCoupling
 {
+
+namespace
+{
+
+/// On a 2D mesh the fluid pushes discs along the mesh's plane and spins them about its normal. What round-off says else would
+/// grow where discs are packed: a row of them buckles out of a plane that nothing holds it in.
+void keepInPlane(FluidAtGrains& at, int emptyAxis)
+{
+    if (emptyAxis < 0) return;
+    for (std::vector<Vec3>* field : {&at.velocity, &at.pressureGradient, &at.divTau})
+    {
+        for (Vec3& value : *field) value[emptyAxis] = 0;
+    }
+    for (Vec3& spin : at.spin) spin = spin[emptyAxis]*Vec3::Unit(emptyAxis);
+}
+
+} // namespace
+
 
 void sampleFluid
 (
@@ -46,6 +66,7 @@ void sampleFluid
     for (const ScalarSample& field : scalars) sampled.scalars.push_back(&field.grains);
     for (const VectorSample& field : vectors) sampled.vectors.push_back(&field.grains);
     atHome.toOwners(sampled);
+    keepInPlane(at, emptyAxis(fluid.U().mesh()));
     if (active.drag && !alpha) at.fluidFraction.assign(at.velocity.size(), 1.0);
     for (scalar& viscosity : at.viscosity) viscosity *= fluid.rho().value();
 }
