@@ -5,6 +5,8 @@
 #include "caseTools.H"
 
 #include "case/grainCloud.H"
+#include "case/runState.H"
+#include "case/writtenFiles.H"
 #include "vectorConversion.H"
 
 #include "OSspecific.H"
@@ -252,7 +254,37 @@ TEST(BadRestart, aTimeThatWasNotWrittenToItsEndIsNamed)
     write(box, randomState(5));
     EXPECT_TRUE(hasGrainState(box.mesh()));
     rm(box.time().timePath()/"uniform/grainState");
-    EXPECT_TRUE(holds(complaint([&] { hasGrainState(box.mesh()); }), {"0.001/uniform/grainState", "not written to its end", "remove"}));
+    const std::vector<std::string> pieces = {"0.001/uniform/grainState", "not written to its end", "remove"};
+    EXPECT_TRUE(holds(complaint([&] { hasGrainState(box.mesh()); }), pieces));
+    // Nothing but the mark there, of a new time and of one written anew.
+    rmDir(box.time().timePath());
+    beginRunState(box.time());
+    EXPECT_TRUE(holds(complaint([&] { hasGrainState(box.mesh()); }), pieces));
+    write(box, randomState(5));
+    beginRunState(box.time());
+    EXPECT_TRUE(holds(complaint([&] { hasGrainState(box.mesh()); }), pieces));
+}
+
+TEST(BadRestart, aFileThatTheDiskDidNotTakeIsNamedAndLeavesTheTimeUnfinished)
+{
+    for (const bool isCompressed : {false, true})
+    {
+        BoxMesh box(inFormat(isCompressed ? "ascii" : "binary", 6, isCompressed));
+        ++box.time();
+        write(box, randomState(5));
+        const fileName velocity = box.time().timePath()/(isCompressed ? "lagrangian/grains/U.gz" : "lagrangian/grains/U");
+        std::ifstream whole(velocity);
+        const std::string contents((std::istreambuf_iterator<char>(whole)), std::istreambuf_iterator<char>());
+        checkWritten(box.time().timePath());
+        for (const double share : {0.0, 0.5, 0.9})
+        {
+            std::ofstream(velocity) << contents.substr(0, std::size_t(share*contents.size()));
+            std::string said;
+            try { checkWritten(box.time().timePath()); }
+            catch (const Foam::error& raised) { said = raised.message(); }
+            EXPECT_TRUE(holds(said, {"lagrangian/grains/U", "is the disk full?", "remove"})) << share;
+        }
+    }
 }
 
 TEST(BadRestart, numbersThatTheRunNeedsMustBeThere)

@@ -96,7 +96,7 @@ void ProgramCase::writeControl(const std::string& more) const
 ProgramRun ProgramCase::execute(const std::string& command, const std::string& name) const
 {
     const fileName log = path("log." + name);
-    // In the case: decomposePar links files of a time that a part of the mesh has nothing of in the current directory.
+    // Where a part has no fields, decomposePar puts its link to `uniform` into the current folder.
     const int status = std::system(("cd " + box_.casePath() + " && " + command + " > " + log + " 2>&1 < /dev/null").c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents("log." + name)};
 }

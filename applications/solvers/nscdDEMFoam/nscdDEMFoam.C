@@ -4,6 +4,7 @@
 // nscdDEMFoam: rigid grains with hard frictional contact in a volume-averaged incompressible fluid.
 #include "case/decomposedTimes.H"
 #include "case/parallelRefusal.H"
+#include "case/processorFolders.H"
 #include "step/coupledRun.H"
 
 #include "argList.H"
@@ -38,6 +39,7 @@ int main(int argc, char* argv[])
 
     nscdCoupling::refuseLoneRanks(argc, argv);
     #include "setRootCase.H"
+    nscdCoupling::checkProcessorFolders(args);
     nscdCoupling::completeTimes(args);
     #include "createTime.H"
     fvMesh mesh(IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));

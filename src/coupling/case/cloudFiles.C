@@ -4,6 +4,9 @@
 // Writing and reading clouds.
 #include "cloudFiles.H"
 #include "inputError.H"
+#include "processorNames.H"
+#include "throwingErrors.H"
+#include "writtenFiles.H"
 
 #include "IOField.H"
 #include "IOPosition.H"
@@ -22,7 +25,8 @@ namespace
 void writeNow(const regIOobject& object)
 {
     const Time& time = object.time();
-    object.writeObject(time.writeFormat(), time.writeVersion(), time.writeCompression(), true);
+    const auto write = [&] { return object.writeObject(time.writeFormat(), time.writeVersion(), time.writeCompression(), true); };
+    writeOrRefuse(object.objectPath(), write);
 }
 
 /// OpenFOAM writes no files for a cloud without particles; readers of a case then miss the whole cloud.
@@ -38,27 +42,6 @@ void writeEmptyCloud(passiveParticleCloud& cloud)
         writeNow(IOField<label>(cloud.fieldIOobject(field, IOobject::NO_READ), 0));
     }
 }
-
-/// While it lives, OpenFOAM's errors are thrown.
-class ThrowingErrors
-{
-public:
-    ThrowingErrors()
-    :
-        error_(FatalError.throwExceptions(true)),
-        ioError_(FatalIOError.throwExceptions(true))
-    {}
-
-    ~ThrowingErrors()
-    {
-        FatalError.throwExceptions(error_);
-        FatalIOError.throwExceptions(ioError_);
-    }
-
-private:
-    bool error_;
-    bool ioError_;
-};
 
 } // namespace
 
@@ -151,10 +134,13 @@ void CloudReader::checkTotal(const word& field, label total) const
 {
     const label found = returnReduce(max(size_, label(0)), sumOp<label>());
     if (found == total) return;
+    const string absent = processorsWhere(isAbsent_);
     fail
     ({
-        placeInFile(file(field).objectPath(), field), "does not fit the other files of this time",
-        Foam::name(found) + " values", Foam::name(total) + " values"
+        placeInFile(file(field).objectPath(), field), "does not fit uniform/grainState: files are missing, or what moved them lost some",
+        Foam::name(found) + " values" + (Pstream::parRun() ? " on all processors" : "")
+            + (absent.empty() ? string() : ", no file on " + absent),
+        Foam::name(total) + " values"
     });
 }
 

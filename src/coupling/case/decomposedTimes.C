@@ -3,7 +3,10 @@
 //
 // Looking for times that are there for others.
 #include "decomposedTimes.H"
+#include "inputError.H"
+#include "processorNames.H"
 
+#include "IFstream.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "Time.H"
@@ -27,6 +30,30 @@ wordList timesOfWhole(const fileName& wholeCase)
     return names;
 }
 
+bool startsFromLatestTime(const fileName& wholeCase)
+{
+    const fileName file = wholeCase/"system/controlDict";
+    IFstream is(file);
+    return is.good() && dictionary(file, dictionary::null, is).getOrDefault<word>("startFrom", "latestTime") == "latestTime";
+}
+
+void checkLatestTime(const argList& args, const fileName& wholeCase)
+{
+    const instantList times = Time::findTimes(args.path());
+    const scalar last = times.empty() ? 0 : times.last().value();
+    const scalar latest = returnReduce(last, maxOp<scalar>());
+    const bool isLacking = last < latest;
+    if (!returnReduce(isLacking, orOp<bool>()) || !startsFromLatestTime(wholeCase)) return;
+    word name = isLacking ? word() : word(times.last().name());
+    reduce(name, maxOp<word>());
+    fail
+    ({
+        placeInFile(wholeCase/"processor*"/name, name),
+        "is the latest time, and some processors lack it: it was not written to its end", processorsWhere(isLacking),
+        "remove the directory " + name + " of all processors, and the run continues from the time before it"
+    });
+}
+
 } // namespace
 
 void completeTimes(const argList& args)
@@ -43,6 +70,7 @@ void completeTimes(const argList& args)
         mkDir(own);
         ln("../../"/name/"uniform", own/"uniform");
     }
+    checkLatestTime(args, wholeCase);
 }
 
 } // namespace nscdCoupling

@@ -4,6 +4,8 @@
 // Writing and reading the state of the grains.
 #include "grainCloud.H"
 #include "cloudFiles.H"
+#include "processorFolders.H"
+#include "processorNames.H"
 #include "runState.H"
 #include "vectorConversion.H"
 
@@ -208,6 +210,17 @@ std::vector<nscd::StoredImpulse> readContacts
     return contacts;
 }
 
+[[noreturn]] void refuseUnfinished(const Time& time, const fileName& state)
+{
+    string advice = ", and the run continues from the time before it";
+    if (Pstream::parRun()) advice = " of all processors" + advice + " (after redistributePar: run that with -overwrite)";
+    fail
+    ({
+        placeInFile(state, "grainState"), "is missing or incomplete: the directory was not written to its end", string::null,
+        "remove the directory " + time.timeName() + advice
+    });
+}
+
 } // namespace
 
 
@@ -230,19 +243,13 @@ void writeGrainState
 
 bool hasGrainState(const polyMesh& mesh)
 {
+    if (hasRunState(mesh)) return true;
     const Time& time = mesh.time();
-    const bool isWritten = hasRunState(mesh);
-    const bool isBegun =
-        isWritten || isDir(time.timePath()/cloud::prefix/"grains") || isFile(time.timePath()/"balancedGradient");
-    if (returnReduce(isWritten, andOp<bool>())) return true;
+    fileName state = time.timePath()/"uniform/grainState";
+    const bool isBegun = isFile(state) || isDir(time.timePath()/cloud::prefix/"grains") || isFile(time.timePath()/"balancedGradient");
     if (!returnReduce(isBegun, orOp<bool>())) return false;
-    fail
-    ({
-        placeInFile(time.timePath()/"uniform/grainState", "grainState"),
-        "is missing: the directory was not written to its end", string::null,
-        "remove the directory " + time.timeName() + (Pstream::parRun() ? " of all processors" : "")
-            + ", and the run continues from the time before it"
-    });
+    Pstream::scatter(state);
+    refuseUnfinished(time, state);
 }
 
 
@@ -263,6 +270,7 @@ GrainState readGrainState
     const RestartExpectation& expected
 )
 {
+    checkFieldsOfAll(mesh.time());
     const RunState run = readRunState(mesh);
     for (const word& name : expected.numbers)
     {

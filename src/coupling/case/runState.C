@@ -4,10 +4,14 @@
 // Writing and reading uniform/grainState.
 #include "runState.H"
 #include "dictionaryCheck.H"
+#include "writtenFiles.H"
 
 #include "IOdictionary.H"
 #include "OSspecific.H"
+#include "PstreamReduceOps.H"
 #include "Time.H"
+
+#include <fstream>
 
 namespace Foam
 {
@@ -33,11 +37,33 @@ IOobject stateFile(const polyMesh& mesh, IOobject::readOption read)
     return IOobject("grainState", mesh.time().timeName(), "uniform", mesh, read, IOobject::NO_WRITE, false);
 }
 
+void waitForAll()
+{
+    bool isHere = true;
+    reduce(isHere, andOp<bool>());
+}
+
 } // namespace
+
+
+void beginRunState(const Time& time)
+{
+    const fileName folder = time.timePath()/"uniform";
+    // decomposePar makes links to the folder of the whole case.
+    if (!isDir(folder, false)) rm(folder);
+    mkDir(folder);
+    std::ofstream mark(folder/"grainState");
+    mark << "this time was not written to its end" << std::endl;
+    if (!mark.good()) refuseUnwritten(folder/"grainState");
+    waitForAll();
+}
 
 
 void writeRunState(const polyMesh& mesh, const RunState& state)
 {
+    const fileName folder = mesh.time().timePath();
+    checkWritten(folder);
+    waitForAll();
     const FullPrecision precision;
     IOdictionary dict(stateFile(mesh, IOobject::NO_READ));
     dict.add("grains", state.nGrains);
@@ -47,6 +73,7 @@ void writeRunState(const polyMesh& mesh, const RunState& state)
     for (const auto& number : state.numbers) numbers.add(number.first, number.second);
     dict.add("numbers", numbers);
     dict.writeObject(IOstream::ASCII, IOstream::currentVersion, IOstream::UNCOMPRESSED, true);
+    checkWritten(folder/"uniform");
 }
 
 
@@ -65,10 +92,12 @@ void writeExactTime(const Time& time)
 
 bool hasRunState(const polyMesh& mesh)
 {
-    // In parallel OpenFOAM looks for its first rank's file alone.
-    const IOobject file = stateFile(mesh, IOobject::READ_IF_PRESENT);
+    IOobject file = stateFile(mesh, IOobject::READ_IF_PRESENT);
+    // OpenFOAM goes on to look for it in the folder of the whole case.
     const bool isThere = isFile(mesh.time().timePath()/"uniform"/file.name());
-    return IOobject(file).typeHeaderOk<IOdictionary>(true) && isThere;
+    bool isWritten = file.typeHeaderOk<IOdictionary>(true) && isThere;
+    Pstream::scatter(isWritten);
+    return isWritten;
 }
 
 

@@ -6,6 +6,7 @@
 
 #include "case/grainTotals.H"
 #include "case/runState.H"
+#include "case/writtenFiles.H"
 #include "vectorConversion.H"
 
 #include <algorithm>
@@ -89,12 +90,15 @@ void CoupledRun::reportStep()
     report_->write(row);
     log_.step(row, describeFluid());
     reach_.isKnown = true;
-    time_.write();
     if (time_.writeTime()) write();
 }
 
+/// grainState comes first, as a mark, and last, complete.
 void CoupledRun::write()
 {
+    beginRunState(time_);
+    writeOrRefuse(time_.timePath(), [&] { return time_.write(); });
+    writeExactTime(time_);
     GrainState state = takeState();
     if (ranks_.isParallel()) writeOnHomes(std::move(state));
     else
@@ -103,7 +107,6 @@ void CoupledRun::write()
         if (hasFluid() && hasGrains()) std::copy(immersion_->mapping->cells().begin(), immersion_->mapping->cells().end(), cells.begin());
         writeGrainState(mesh_, state, properties_.materials.table, cells);
     }
-    writeExactTime(time_);
 }
 
 void CoupledRun::finish() const { log_.finish(timing_); }

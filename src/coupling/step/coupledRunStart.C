@@ -7,6 +7,7 @@
 #include "case/grainTotals.H"
 #include "case/numericsCheck.H"
 #include "case/parallelRefusal.H"
+#include "case/processorFolders.H"
 #include "case/sceneLog.H"
 
 namespace Foam
@@ -41,9 +42,10 @@ ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool hasFr
     return {hasDrag, forces.pressureGradient, forces.viscous, hasDrag && hasFriction && forces.spinDrag};
 }
 
-GrainProperties readRunnable(const Time& time)
+GrainProperties readRunnable(const Time& time, const polyMesh& mesh)
 {
     refuseCollatedFiles();
+    checkMeshParts(mesh);
     return readGrainProperties(time);
 }
 
@@ -53,7 +55,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
 :
     time_(time),
     mesh_(mesh),
-    properties_(readRunnable(time)),
+    properties_(readRunnable(time, mesh)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
     active_(activeForces(properties_.forces, properties_.solvesFluid, properties_.materials.table.anyFriction())),

@@ -149,24 +149,35 @@ class BoxCase(CaseFolder):
             sys.exit("%s failed in %s" % (program, self.folder))
 
 
-WIDTHS = {b"scalarField": "d", b"vectorField": "3d", b"labelField": "i"}
+WIDTHS = {b"scalarField": "d", b"vectorField": "3d", b"labelField": "i", b"scalar": "d", b"vector": "3d"}
+BLANKS = rb"(?:\s|//[^\n]*\n)*"
 
 
-def readBinary(content):
-    """A field of lagrangian/grains written in binary."""
-    head = content[:content.index(b"}")]
-    layout = WIDTHS[re.search(rb"class\s+(\w+)", head).group(1)]
-    start = re.compile(rb"(?:\s|//[^\n]*\n)*(\d+)\s*\(").match(content, len(head) + 1)
-    values = struct.iter_unpack("<" + layout, content[start.end():start.end() + int(start.group(1))*struct.calcsize("<" + layout)])
+def binaryList(content):
+    """(layout, start) of the values of a cloud's or a mesh's field written in binary; None for others."""
+    head = content.index(b"}") + 1
+    if b"binary" not in content[:head]:
+        return None
+    bare = re.compile(BLANKS + rb"(\d+)\s*\(").match(content, head)
+    if bare:
+        return WIDTHS[re.search(rb"class\s+(\w+)", content[:head]).group(1)], bare
+    ofMesh = re.compile(rb"internalField\s+nonuniform\s+List<(\w+)>\s*(\d+)\s*\(").search(content, head)
+    return (WIDTHS[ofMesh.group(1)], ofMesh) if ofMesh else None
+
+
+def readBinary(content, layout, start):
+    count = int(start.group(start.lastindex))
+    values = struct.iter_unpack("<" + layout, content[start.end():start.end() + count*struct.calcsize("<" + layout)])
     return [value if len(value) > 1 else value[0] for value in values]
 
 
 def readList(path):
     with open(path, "rb") as file:
         content = file.read()
-    if b"binary" in content[:content.index(b"}")] and re.match(rb"(?:\s|//[^\n]*\n)*\d+\s*\(", content[content.index(b"}") + 1:]):
-        return readBinary(content)
-    text = content.decode()
+    binary = binaryList(content)
+    if binary:
+        return readBinary(content, *binary)
+    text = content.decode(errors="replace")
     text = text[text.index("}") + 1:]
     uniform = re.search(r"internalField\s+uniform\s+(\([^)]*\)|\S+);", text)
     if uniform:
