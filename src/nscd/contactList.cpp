@@ -15,6 +15,14 @@ namespace nscd
 namespace
 {
 
+void reserveBodies(ContactList& list, std::size_t number)
+{
+    list.position.reserve(number);
+    list.radius.reserve(number);
+    list.inverseMass.reserve(number);
+    list.id.reserve(number);
+}
+
 void addBody(ContactList& list, const Vec3& position, double radius, double inverseMass, std::int64_t id)
 {
     list.position.push_back(position);
@@ -26,6 +34,8 @@ void addBody(ContactList& list, const Vec3& position, double radius, double inve
 void sortBodies(ContactList& list, const Grains& grains, const std::vector<double>& reach, double diameter)
 {
     list.grainOf = mortonOrder(grains.position, diameter);
+    reserveBodies(list, list.grainOf.size());
+    list.reach.reserve(list.grainOf.size());
     for (int i : list.grainOf)
     {
         addBody(list, grains.position[i], grains.radius[i], grains.isFixed[i] ? 0.0 : 1.0/grains.mass[i], grains.id[i]);
@@ -36,6 +46,7 @@ void sortBodies(ContactList& list, const Grains& grains, const std::vector<doubl
 
 std::vector<double> addGhosts(ContactList& list, const std::vector<GhostGrain>& ghosts)
 {
+    reserveBodies(list, list.owned() + ghosts.size());
     std::vector<double> reach = list.reach;
     for (const GhostGrain& ghost : ghosts)
     {
