@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // MPI's sending functions once more: they count, and call MPI's own by their names of the profiling interface. MPI_Finalize writes the
-// counts as CSV into the file that MESSAGE_COUNT_FILE names. MPI's own messages inside a collective call are not counted.
+// counts as CSV into the file that MESSAGE_COUNT_FILE names. Not counted: messages of a rank to itself, MPI's own inside a collective call.
 #include "messageCount.hpp"
 
 #include <mpi.h>
@@ -89,10 +89,13 @@ Counts& here(MPI_Comm comm) { return state().parts[state().open.back().name].of[
 void countMessage(int count, MPI_Datatype type, int to, MPI_Comm comm)
 {
     if (to == MPI_PROC_NULL) return;
+    const int rank = worldRank(comm, to);
+    int self = 0;
+    PMPI_Comm_rank(MPI_COMM_WORLD, &self);
+    if (rank == self) return;
     Counts& counts = here(comm);
     counts.messages += 1;
     counts.bytes += sizeOf(count, type);
-    const int rank = worldRank(comm, to);
     counts.messagesTo[rank] += 1;
     state().open.back().messagesTo[whoseIs(comm)][rank] += 1;
 }

@@ -3,7 +3,7 @@
 //
 // What ranks cost and save: a bed with periodic sides settles once into a file; tiles of it are then solved on any number of ranks.
 // mpirun -np 2 rankedBed settle bed.dat perSide layers steps
-// mpirun -np N rankedBed run bed.dat tilesX tilesY steps [coldSolves]
+// mpirun -np N rankedBed run bed.dat tilesX tilesY steps [coldSolves [maxSweeps]]
 // MESSAGE_COUNT_FILE names a CSV file for the messages of cold solves, warm steps and sharing out, part by part.
 #include "benchmark/messageCount/messageCount.hpp"
 #include "benchmark/rankedBed/tiledBed.hpp"
@@ -17,8 +17,12 @@ using namespace scenes;
 namespace
 {
 
-/// Over so many the sweeps of a start without impulses are averaged unless told otherwise: they scatter by a third.
-constexpr int usualColdSolves = 10;
+struct RunSettings
+{
+    int steps;
+    int coldSolves = 10;  ///< over which the sweeps of a start without impulses are averaged: they scatter by a third
+    nscd::ContactSettings contacts;
+};
 void settle(const char* path, int perSide, int layers, int steps)
 {
     const Scene scene = latticeBed(perSide, layers);
@@ -39,7 +43,7 @@ void settle(const char* path, int perSide, int layers, int steps)
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-void run(const TiledBed& tiles, int steps, int coldSolves)
+void run(const TiledBed& tiles, const RunSettings& settings)
 {
     int size = 1, rank = 0;
     MPI_Comm_size(MPI_COMM_WORLD, &size);
@@ -47,7 +51,7 @@ void run(const TiledBed& tiles, int steps, int coldSolves)
     // First by number; then by place; then by load, which the list tells.
     const std::size_t share = tiles.size()/size + 1;
     const Scene scene = tiles.part(rank*share, (rank + 1)*share);
-    RankedScene bed(scene, nscd::ContactSettings(), [=](const Vec3&, std::int64_t) { return rank; });
+    RankedScene bed(scene, settings.contacts, [=](const Vec3&, std::int64_t) { return rank; });
     bed.repartition();
     bed.dynamics().beginStep(deltaT);
     bed.repartition();
@@ -55,19 +59,19 @@ void run(const TiledBed& tiles, int steps, int coldSolves)
     messageCount::reset();
     nscd::StepReport cold;
     double coldSweeps = 0.0;
-    for (int k = 0; k < coldSolves; ++k)
+    for (int k = 0; k < settings.coldSolves; ++k)
     {
         const messageCount::Part counted("cold");
         bed.dynamics().restore({}, deltaT);
         cold = step(bed.dynamics(), scene.g, deltaT);
-        coldSweeps += double(cold.solve.sweeps)/coldSolves;
+        coldSweeps += double(cold.solve.sweeps)/settings.coldSolves;
     }
-    for (int k = 0; k < 5; ++k) step(bed.dynamics(), scene.g, deltaT);
+    for (int k = 0; k < settings.steps; ++k) step(bed.dynamics(), scene.g, deltaT);
     const nscd::Traffic before = bed.exchange().traffic();
     int sweeps = 0;
     MPI_Barrier(MPI_COMM_WORLD);
     const double start = now();
-    for (int k = 0; k < steps; ++k)
+    for (int k = 0; k < settings.steps; ++k)
     {
         const messageCount::Part counted("warm");
         sweeps += step(bed.dynamics(), scene.g, deltaT).solve.sweeps;
@@ -87,7 +91,7 @@ void run(const TiledBed& tiles, int steps, int coldSolves)
     if (bed.exchange().rank() > 0) return;
     std::printf("ranks,grains,leastOnARank,contacts,betweenRanks,coldSweeps,sweepsPerStep,msPerStep,usPerSweep,messagesPerRankAndSweep,"
                 "kBPerRankAndSweep\n%d,%zu,%.0f,%zu,%d,%.1f,%.1f,%.2f,%.1f,%.2f,%.3f\n",
-                size, tiles.size(), -least, cold.solve.contacts, interface, coldSweeps, double(sweeps)/steps, 1e3*seconds/steps,
+                size, tiles.size(), -least, cold.solve.contacts, interface, coldSweeps, double(sweeps)/settings.steps, 1e3*seconds/settings.steps,
                 1e6*seconds/std::max(1, sweeps), counts[0]/size/std::max(1, sweeps), 1e-3*counts[1]/size/std::max(1, sweeps));
 }
 
@@ -98,10 +102,13 @@ int main(int argc, char** argv)
     MPI_Init(&argc, &argv);
     const std::string what = argc >= 6 ? argv[1] : "";
     const auto number = [argv](int i) { return std::atoi(argv[i]); };
-    const int coldSolves = argc > 6 ? number(6) : usualColdSolves;
+    RunSettings settings;
+    settings.steps = argc > 5 ? number(5) : 0;
+    if (argc > 6) settings.coldSolves = number(6);
+    if (argc > 7) settings.contacts.maxSweeps = number(7);
     if (what == "settle") settle(argv[2], number(3), number(4), number(5));
-    else if (what == "run") run(TiledBed(argv[2], number(3), number(4)), number(5), coldSolves);
-    else std::printf("rankedBed settle FILE PERSIDE LAYERS STEPS, or rankedBed run FILE TILESX TILESY STEPS [COLDSOLVES]\n");
+    else if (what == "run") run(TiledBed(argv[2], number(3), number(4)), settings);
+    else std::printf("rankedBed settle FILE PERSIDE LAYERS STEPS, or rankedBed run FILE TILESX TILESY STEPS [COLDSOLVES [MAXSWEEPS]]\n");
     MPI_Finalize();
     return what.empty();
 }
