@@ -3,8 +3,8 @@
 //
 // Memory of grains and their contacts on each rank, in bytes per grain: peaks of what is allocated in the parts of a run, the peak of the
 // process, and what the containers of the contact list hold.
-// mpirun -np N rankedMemory bed bed.dat tilesX tilesY steps: a settled bed, of rankedBed settle
-// mpirun -np N rankedMemory lattice perSide layers steps:    a lattice that falls on a floor from the first step on
+// mpirun -np N rankedMemory bed bed.dat tilesX tilesY steps [maxSweeps]: a settled bed, of rankedBed settle
+// mpirun -np N rankedMemory lattice perSide layers steps [maxSweeps]:    a lattice that falls on a floor from the first step on
 #include "benchmark/rankedBed/tiledBed.hpp"
 
 #include "contactList.hpp"
@@ -143,9 +143,9 @@ void measurePeak(double& peak, const Work& work)
     peak = std::max(peak, mostAllocated);
 }
 
-void measure(Scene scene, int steps)
+void measure(Scene scene, int steps, const nscd::ContactSettings& settings)
 {
-    RankedScene bed(emptyBed(scene.box.length[0], scene.box.length[1]), nscd::ContactSettings(), [](const Vec3&, std::int64_t) { return 0; });
+    RankedScene bed(emptyBed(scene.box.length[0], scene.box.length[1]), settings, [](const Vec3&, std::int64_t) { return 0; });
     nscd::MpiExchange exchange;
     const double before = allocated - bytesOf(scene.grains), residentBefore = statusOf("VmRSS");
     bed.dynamics().setGrains(std::move(scene.grains));
@@ -201,9 +201,12 @@ int main(int argc, char** argv)
     MPI_Init(&argc, &argv);
     const std::string what = argc >= 5 ? argv[1] : "";
     const auto number = [argv](int i) { return std::atoi(argv[i]); };
-    if (what == "bed" && argc == 6) measure(tilesHere(TiledBed(argv[2], number(3), number(4))), number(5));
-    else if (what == "lattice") measure(layersHere(number(2), number(3)), number(4));
-    else std::printf("rankedMemory bed FILE TILESX TILESY STEPS, or rankedMemory lattice PERSIDE LAYERS STEPS\n");
+    const int steps = what == "bed" ? 5 : 4;
+    nscd::ContactSettings settings;
+    if (argc > steps + 1) settings.maxSweeps = number(steps + 1);
+    if (what == "bed" && argc > 5) measure(tilesHere(TiledBed(argv[2], number(3), number(4))), number(5), settings);
+    else if (what == "lattice") measure(layersHere(number(2), number(3)), number(4), settings);
+    else std::printf("rankedMemory bed FILE TILESX TILESY STEPS [MAXSWEEPS], or rankedMemory lattice PERSIDE LAYERS STEPS [MAXSWEEPS]\n");
     MPI_Finalize();
     return what.empty();
 }
