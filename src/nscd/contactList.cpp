@@ -74,6 +74,8 @@ void keepNeeded(ContactList& list, const std::vector<GhostGrain>& ghosts, std::v
         if (number[g] == 0) number[g] = list.owned() + static_cast<int>(list.ghosts.size());
         (number[g] < 0 ? list.solvedElsewhere : list.ghosts).push_back(ghosts[g]);
     }
+    list.ghosts.shrink_to_fit();
+    list.solvedElsewhere.shrink_to_fit();
     for (Candidate& c : interface) c.b = number[c.b - list.owned()];
 }
 
@@ -116,6 +118,15 @@ const ContactPair& coefficients(const ContactList& list, const Scene& scene, con
         ? scene.walls.patches[scene.walls.regions[candidate.wall].patch].material
         : materialOf(list, scene, candidate.b);
     return scene.materials.pair(materialOf(list, scene, candidate.a), materialB);
+}
+
+void reserveBlocks(ContactList& list, const Scene& scene, std::size_t blocks)
+{
+    list.blocks.reserve(blocks);
+    list.gap.reserve(blocks*blockLanes);
+    list.wall.reserve(blocks*blockLanes);
+    list.image.reserve(blocks*blockLanes);
+    if (scene.materials.anyRestitution()) list.restitution.reserve(blocks*blockLanes);
 }
 
 /// Appends blocks for `batches`, and writes the candidates into their slots; slotOf is shifted to where they are.
@@ -212,10 +223,11 @@ ContactList buildContactList(const Scene& scene, const std::vector<double>& reac
     for (Candidate& c : candidates.inner) c.b = c.wall >= 0 ? list.staticBody() : c.b;
 
     Batches inner = batchNearAndFar(list, scene, candidates.inner, diameter);
+    Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
+    reserveBlocks(list, scene, inner.blocks + interface.blocks);
     appendBlocks(list, scene, candidates.inner, inner);
     groupWallSlots(list, scene, candidates.inner, inner);
     list.interfaceBlock = list.blocks.size();
-    Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
     appendBlocks(list, scene, candidates.interface, interface);
     return list;
 }

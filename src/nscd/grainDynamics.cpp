@@ -41,7 +41,7 @@ void GrainDynamics::Implementation::clearForces()
 void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity)
 {
     const Stopwatch watch(times.findPairs);
-    const ImpulseRecord impulses = isListStale ? std::move(restored) : collectImpulses(list);
+    ImpulseRecord impulses = isListStale ? std::move(restored) : collectImpulses(list);
     restored = ImpulseRecord();
 
     // A slow grain may be hit, and be as fast as the others at the end of the step.
@@ -57,7 +57,7 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     list = ContactList();  // two at a time would be the peak of the memory
     list = buildContactList(scene(), reach, diameter, *exchange);
     updateGeometry(list, scene());
-    assignImpulses(list, impulses, *exchange);
+    assignImpulses(list, std::move(impulses), *exchange);
     isListStale = false;
 }
 
@@ -173,13 +173,13 @@ Prediction GrainDynamics::predict(const ExternalForces& external)
 
 Prediction GrainDynamics::tryForces(const ExternalForces& external)
 {
-    const ImpulseRecord impulses = collectImpulses(self_->list);
+    ImpulseRecord impulses = collectImpulses(self_->list);
     Prediction prediction = predict(external);
     for (std::size_t slot = 0; slot < self_->list.slots(); ++slot)
     {
         if (self_->list.isUsed(slot)) setImpulse(self_->list, slot, Vec3::Zero());
     }
-    assignImpulses(self_->list, impulses, *self_->exchange);
+    assignImpulses(self_->list, std::move(impulses), *self_->exchange);
     return prediction;
 }
 

@@ -148,12 +148,10 @@ ImpulseRecord collectImpulses(const ContactList& list)
     return record;
 }
 
-void assignImpulses(ContactList& list, const ImpulseRecord& record, Exchange& exchange)
+void assignImpulses(ContactList& list, ImpulseRecord record, Exchange& exchange)
 {
-    if (!exchange.isParallel()) return assignPairs(list, record.inner);
-    std::vector<PairImpulse> pairs = record.inner;
-    addInterface(list, handOver(list, record.interface, exchange), pairs);
-    assignPairs(list, pairs);
+    if (exchange.isParallel()) addInterface(list, handOver(list, record.interface, exchange), record.inner);
+    assignPairs(list, record.inner);
 }
 
 std::vector<StoredImpulse> byIdentity(const ImpulseRecord& record, const Grains& grains)

@@ -8,8 +8,11 @@
 
 #include "contactList.hpp"
 #include "contactSolver.hpp"
+#include "storedImpulses.hpp"
 
 #include <dlfcn.h>
+
+#include <utility>
 
 #ifdef COUNT_LINKED
 #define COUNTED(part, result, symbol, parameters, arguments)        \
@@ -52,8 +55,8 @@ COUNTED
 )
 COUNTED
 (
-    "impulses", void, _ZN4nscd13assignImpulsesERNS_11ContactListERKNS_13ImpulseRecordERNS_8ExchangeE,
-    (void* list, const void* record, void* exchange), (list, record, exchange)
+    "impulses", void, _ZN4nscd14assignImpulsesERNS_11ContactListENS_13ImpulseRecordERNS_8ExchangeE,
+    (void* list, nscd::ImpulseRecord record, void* exchange), (list, std::move(record), exchange)
 )
 COUNTED
 (
