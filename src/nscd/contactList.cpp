@@ -15,6 +15,14 @@ namespace nscd
 namespace
 {
 
+void reserveBodies(ContactList& list, std::size_t number)
+{
+    list.position.reserve(number);
+    list.radius.reserve(number);
+    list.inverseMass.reserve(number);
+    list.id.reserve(number);
+}
+
 void addBody(ContactList& list, const Vec3& position, double radius, double inverseMass, std::int64_t id)
 {
     list.position.push_back(position);
@@ -26,6 +34,8 @@ void addBody(ContactList& list, const Vec3& position, double radius, double inve
 void sortBodies(ContactList& list, const Grains& grains, const std::vector<double>& reach, double diameter)
 {
     list.grainOf = mortonOrder(grains.position, diameter);
+    reserveBodies(list, list.grainOf.size());
+    list.reach.reserve(list.grainOf.size());
     for (int i : list.grainOf)
     {
         addBody(list, grains.position[i], grains.radius[i], grains.isFixed[i] ? 0.0 : 1.0/grains.mass[i], grains.id[i]);
@@ -36,6 +46,7 @@ void sortBodies(ContactList& list, const Grains& grains, const std::vector<doubl
 
 std::vector<double> addGhosts(ContactList& list, const std::vector<GhostGrain>& ghosts)
 {
+    reserveBodies(list, list.owned() + ghosts.size());
     std::vector<double> reach = list.reach;
     for (const GhostGrain& ghost : ghosts)
     {
@@ -63,6 +74,8 @@ void keepNeeded(ContactList& list, const std::vector<GhostGrain>& ghosts, std::v
         if (number[g] == 0) number[g] = list.owned() + static_cast<int>(list.ghosts.size());
         (number[g] < 0 ? list.solvedElsewhere : list.ghosts).push_back(ghosts[g]);
     }
+    list.ghosts.shrink_to_fit();
+    list.solvedElsewhere.shrink_to_fit();
     for (Candidate& c : interface) c.b = number[c.b - list.owned()];
 }
 
@@ -105,6 +118,15 @@ const ContactPair& coefficients(const ContactList& list, const Scene& scene, con
         ? scene.walls.patches[scene.walls.regions[candidate.wall].patch].material
         : materialOf(list, scene, candidate.b);
     return scene.materials.pair(materialOf(list, scene, candidate.a), materialB);
+}
+
+void reserveBlocks(ContactList& list, const Scene& scene, std::size_t blocks)
+{
+    list.blocks.reserve(blocks);
+    list.gap.reserve(blocks*blockLanes);
+    list.wall.reserve(blocks*blockLanes);
+    list.image.reserve(blocks*blockLanes);
+    if (scene.materials.anyRestitution()) list.restitution.reserve(blocks*blockLanes);
 }
 
 /// Appends blocks for `batches`, and writes the candidates into their slots; slotOf is shifted to where they are.
@@ -201,10 +223,11 @@ ContactList buildContactList(const Scene& scene, const std::vector<double>& reac
     for (Candidate& c : candidates.inner) c.b = c.wall >= 0 ? list.staticBody() : c.b;
 
     Batches inner = batchNearAndFar(list, scene, candidates.inner, diameter);
+    Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
+    reserveBlocks(list, scene, inner.blocks + interface.blocks);
     appendBlocks(list, scene, candidates.inner, inner);
     groupWallSlots(list, scene, candidates.inner, inner);
     list.interfaceBlock = list.blocks.size();
-    Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
     appendBlocks(list, scene, candidates.interface, interface);
     return list;
 }

@@ -4,6 +4,7 @@
 // The grains' time step.
 #include "grainDynamicsParts.hpp"
 
+#include "andersonAcceleration.hpp"
 #include "invalidValue.hpp"
 #include "stopwatch.hpp"
 
@@ -40,7 +41,7 @@ void GrainDynamics::Implementation::clearForces()
 void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity)
 {
     const Stopwatch watch(times.findPairs);
-    const ImpulseRecord impulses = isListStale ? std::move(restored) : collectImpulses(list);
+    ImpulseRecord impulses = isListStale ? std::move(restored) : collectImpulses(list);
     restored = ImpulseRecord();
 
     // A slow grain may be hit, and be as fast as the others at the end of the step.
@@ -53,9 +54,10 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     {
         reach[i] = 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
     }
+    list = ContactList();  // two at a time would be the peak of the memory
     list = buildContactList(scene(), reach, diameter, *exchange);
     updateGeometry(list, scene());
-    assignImpulses(list, impulses, *exchange);
+    assignImpulses(list, std::move(impulses), *exchange);
     isListStale = false;
 }
 
@@ -111,8 +113,8 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
     if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
 
-    const std::vector<ContactBlock> beforeShock = list.blocks;
     ContactProblem problem = makeProblem(external.speedScale);
+    const AndersonAcceleration::Impulses beforeShock = gatherImpulses(list.blocks, problem.all());
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
@@ -125,7 +127,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     // The next step starts from the impulses of the motion, not from those of the shock.
     for (std::size_t k = 0; k < list.blocks.size(); ++k)
     {
-        std::copy(&beforeShock[k].r[0][0], &beforeShock[k].r[0][0] + 3*blockLanes, &list.blocks[k].r[0][0]);
+        std::copy_n(beforeShock.begin() + static_cast<std::ptrdiff_t>(3*blockLanes*k), 3*blockLanes, &list.blocks[k].r[0][0]);
     }
 }
 
@@ -171,13 +173,13 @@ Prediction GrainDynamics::predict(const ExternalForces& external)
 
 Prediction GrainDynamics::tryForces(const ExternalForces& external)
 {
-    const ImpulseRecord impulses = collectImpulses(self_->list);
+    ImpulseRecord impulses = collectImpulses(self_->list);
     Prediction prediction = predict(external);
     for (std::size_t slot = 0; slot < self_->list.slots(); ++slot)
     {
         if (self_->list.isUsed(slot)) setImpulse(self_->list, slot, Vec3::Zero());
     }
-    assignImpulses(self_->list, impulses, *self_->exchange);
+    assignImpulses(self_->list, std::move(impulses), *self_->exchange);
     return prediction;
 }
 

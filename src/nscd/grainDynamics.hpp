@@ -103,7 +103,7 @@ public:
     /// Force of the grains on each wall patch over the last step [N].
     const std::vector<Vec3>& wallForce() const;
 
-    /// All contacts solved on this rank that carried an impulse in the last step; empty before the first one.
+    /// All contacts solved on this rank that carried an impulse in the last step; empty before the first one and after checkpoint().
     std::vector<LoadedContact> contacts() const;
 
     /// Impulses of all contacts solved on this rank that carry one. After this call the next step searches anew, as a restarted run does,

@@ -19,6 +19,7 @@ GrainDynamics::GrainDynamics
     self_(std::make_unique<Implementation>())
 {
     self_->grains = std::move(grains);
+    self_->grains.shrinkToFit();
     self_->materials = std::move(materials);
     self_->walls = std::move(walls);
     self_->box = box;
@@ -44,6 +45,7 @@ void GrainDynamics::setGrains(Grains grains)
     double lastDeltaT;
     const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
     self_->grains = std::move(grains);
+    self_->grains.shrinkToFit();
     self_->clearForces();
     restore(impulses, lastDeltaT);
 }
@@ -92,8 +94,8 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     Implementation& self = *self_;
     lastDeltaT = self.impulseDeltaT;
     if (!self.isListStale) self.restored = collectImpulses(self.list);
+    self.list = ContactList();
     self.isListStale = true;
-
     return byIdentity(self.restored, self.grains);
 }
 

@@ -47,6 +47,14 @@ struct Grains
     /// Appends one owned grain at rest.
     /// Errors: std::invalid_argument for a radius or density that is not finite and positive, or a position that is not finite
     void add(const Vec3& position, double radius, double density, int material, std::int64_t id);
+
+    /// Makes room for so many grains, or gives back what is not used.
+    void reserve(std::size_t number);
+    void shrinkToFit();
+
+private:
+    template<class Change>
+    void forEachArray(const Change& change);
 };
 
 /// Sum of all owned grains' volume [m3].

@@ -83,6 +83,22 @@ void addInterface(const ContactList& list, const std::vector<InterfaceImpulse>& 
     }
 }
 
+/// Calls visit(slot, impulse of its pair) for slots that carry one.
+template<class Visit>
+void forEachLoaded(const ContactList& list, const Visit& visit)
+{
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot)) continue;
+        const Vec3 r = impulse(list, slot);
+        if (r == Vec3::Zero()) continue;
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        const int wall = list.wall[slot];
+        const int b = wall >= 0 ? -1 - wall : list.grain(block.b[slot % blockLanes]);
+        visit(slot, PairImpulse{list.grain(block.a[slot % blockLanes]), b, r});
+    }
+}
+
 void assignPairs(ContactList& list, const std::vector<PairImpulse>& impulses)
 {
     if (impulses.empty()) return;
@@ -116,37 +132,26 @@ void assignPairs(ContactList& list, const std::vector<PairImpulse>& impulses)
 std::vector<SlotImpulse> loadedSlots(const ContactList& list)
 {
     std::vector<SlotImpulse> loaded;
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
-    {
-        if (!list.isUsed(slot)) continue;
-        const Vec3 r = impulse(list, slot);
-        if (r == Vec3::Zero()) continue;
-        const ContactBlock& block = list.blocks[slot/blockLanes];
-        const int wall = list.wall[slot];
-        const int b = wall >= 0 ? -1 - wall : list.grain(block.b[slot % blockLanes]);
-        loaded.push_back({slot, {list.grain(block.a[slot % blockLanes]), b, r}});
-    }
+    forEachLoaded(list, [&](std::size_t slot, const PairImpulse& pair) { loaded.push_back({slot, pair}); });
     return loaded;
 }
 
 ImpulseRecord collectImpulses(const ContactList& list)
 {
     ImpulseRecord record;
-    for (const SlotImpulse& entry : loadedSlots(list))
+    forEachLoaded(list, [&](std::size_t, const PairImpulse& pair)
     {
-        const int ghost = entry.pair.b - list.owned();
-        if (ghost < 0) record.inner.push_back(entry.pair);
-        else record.interface.push_back({entry.pair.a, list.ghosts[ghost].id, entry.pair.impulse});
-    }
+        const int ghost = pair.b - list.owned();
+        if (ghost < 0) record.inner.push_back(pair);
+        else record.interface.push_back({pair.a, list.ghosts[ghost].id, pair.impulse});
+    });
     return record;
 }
 
-void assignImpulses(ContactList& list, const ImpulseRecord& record, Exchange& exchange)
+void assignImpulses(ContactList& list, ImpulseRecord record, Exchange& exchange)
 {
-    if (!exchange.isParallel()) return assignPairs(list, record.inner);
-    std::vector<PairImpulse> pairs = record.inner;
-    addInterface(list, handOver(list, record.interface, exchange), pairs);
-    assignPairs(list, pairs);
+    if (exchange.isParallel()) addInterface(list, handOver(list, record.interface, exchange), record.inner);
+    assignPairs(list, record.inner);
 }
 
 std::vector<StoredImpulse> byIdentity(const ImpulseRecord& record, const Grains& grains)

@@ -47,7 +47,7 @@ ImpulseRecord collectImpulses(const ContactList& list);
 
 /// Gives each candidate the impulse its pair had; of several images of a pair, the one best aligned with the impulse gets it.
 /// What another rank solves now is handed to it (collective).
-void assignImpulses(ContactList& list, const ImpulseRecord& record, Exchange& exchange);
+void assignImpulses(ContactList& list, ImpulseRecord record, Exchange& exchange);
 
 std::vector<StoredImpulse> byIdentity(const ImpulseRecord& record, const Grains& grains);
 

@@ -199,11 +199,13 @@ void Communicator::receiveArrived(int tag, std::vector<Message>& incoming) const
     }
 }
 
-std::vector<Message> Communicator::exchange(const std::vector<Message>& outgoing) const
+std::vector<Message> Communicator::exchange(std::vector<Message> outgoing) const
 {
     std::vector<Message> incoming;
-    const auto isOwn = [this](const Message& message) { return message.rank == rank_; };
-    std::copy_if(outgoing.begin(), outgoing.end(), std::back_inserter(incoming), isOwn);
+    for (Message& message : outgoing)
+    {
+        if (message.rank == rank_) incoming.push_back({rank_, std::move(message.bytes)});
+    }
     if (size_ == 1) return incoming;
 
     const int tag = std::exchange(round_, 1 - round_);

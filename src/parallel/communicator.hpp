@@ -60,7 +60,7 @@ public:
     /// Equation: NBX (Hoefler, Siebert, Lumsdaine 2010): synchronous sends, receive until a barrier says that all have arrived
     /// Cost:     as many messages as given, one barrier: O(neighbors + log size)
     /// Ensures:  `rank` of what is returned is the sender's; ascending, a sender's messages in the order it gave them
-    std::vector<Message> exchange(const std::vector<Message>& outgoing) const;
+    std::vector<Message> exchange(std::vector<Message> outgoing) const;
 
     /// Gives each rank named its message and takes one from each of the same ranks, which name this one.
     /// Ensures:  the messages of these ranks, in the order they were named

@@ -45,7 +45,10 @@ void unpack(const std::vector<char>& bytes, std::vector<T>& values)
 template<class T>
 std::vector<Message> messagesByRank(const std::vector<T>& values, const std::vector<int>& destination)
 {
+    std::map<int, std::size_t> number;
+    for (int rank : destination) ++number[rank];
     std::map<int, std::vector<char>> byRank;
+    for (const auto& [rank, count] : number) byRank[rank].reserve(count*sizeof(T));
     for (std::size_t i = 0; i < values.size(); ++i) pack(&values[i], 1, byRank[destination[i]]);
     std::vector<Message> messages;
     for (auto& [rank, bytes] : byRank) messages.push_back({rank, std::move(bytes)});
@@ -56,7 +59,10 @@ std::vector<Message> messagesByRank(const std::vector<T>& values, const std::vec
 template<class T>
 std::vector<T> valuesOf(const std::vector<Message>& messages)
 {
+    std::size_t bytes = 0;
+    for (const Message& message : messages) bytes += message.bytes.size();
     std::vector<T> values;
+    values.reserve(bytes/sizeof(T));
     for (const Message& message : messages) unpack(message.bytes, values);
     return values;
 }

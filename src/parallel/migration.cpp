@@ -100,11 +100,14 @@ std::vector<Quaternion> Migration::move(const std::vector<Quaternion>& values) c
 
 Grains Migration::moveGrains(const Grains& grains) const
 {
-    std::vector<GrainRecord> sent;
-    for (std::size_t i = 0; i < grains.nOwned; ++i) sent.push_back(recordOf(grains, i));
+    std::vector<GrainRecord> records;
+    records.reserve(grains.nOwned);
+    for (std::size_t i = 0; i < grains.nOwned; ++i) records.push_back(recordOf(grains, i));
+    records = move(records);
     Grains received;
     received.shape = grains.shape;
-    for (const GrainRecord& record : move(sent)) append(record, received);
+    received.reserve(records.size());
+    for (const GrainRecord& record : records) append(record, received);
     received.nOwned = received.size();
     return received;
 }
@@ -115,6 +118,7 @@ std::vector<StoredImpulse> moveImpulses
 )
 {
     std::vector<ImpulseRecord> sent;
+    sent.reserve(impulses.size());
     for (const StoredImpulse& entry : impulses) sent.push_back({entry.idA, entry.idB, plain(entry.impulse)});
     std::vector<StoredImpulse> received;
     for (const ImpulseRecord& entry : valuesOf<ImpulseRecord>(all.exchange(messagesByRank(sent, destination))))

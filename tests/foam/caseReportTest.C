@@ -162,7 +162,7 @@ struct LeakyBox
         cells.append(isInside ? 0 : -1);
     }
 
-    std::vector<std::size_t> exited() { return findExited(grains, cells, box.mesh(), roles); }
+    std::vector<std::size_t> exited() { return findExited(grains, cells, box.mesh(), roles, nullptr); }
 
     BoxMesh box;
     PatchRoles roles;

@@ -254,7 +254,10 @@ void CoupledRun::updateWeightsAtHome()
 void CoupledRun::removeExited(const std::vector<label>& cells)
 {
     const labelList cellList(cells.begin(), cells.end());
-    const std::vector<std::size_t> gone = findExited(dynamics_->grains(), cellList, mesh_, scene_.roles);
+    const std::vector<std::size_t> gone = findExited
+    (
+        dynamics_->grains(), cellList, mesh_, scene_.roles, ranks_.isParallel() ? &ranks_.tree() : nullptr
+    );
     double number = double(gone.size());
     ranks_.exchange()->sum(&number, 1);
     if (number == 0) return;

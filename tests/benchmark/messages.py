@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+"""What ranks send in a step, part by part, as CSV: messages.py dry [largest number of ranks], or messages.py coupled [...].
+
+dry: beds 50 layers deep, tiled: 5000 and 1250 grains a rank, and 40 000 grains on more and more ranks; runs.csv has sweeps and contacts.
+coupled: steps of tutorials/coupled/fluidizedBed from 0.4 s, which its Allrun must have written."""
+
+import csv
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT/"build/benchmark"
+PROGRAMS = ROOT/"build/core/benchmark"
+BED = BUILD/"bed10x50.dat"
+TUTORIAL = ROOT/"tutorials/coupled/fluidizedBed"
+# Ranks that wait give their core to others: there are more of them than cores. As root only where that is all there is.
+MPIRUN = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1"]
+ROOT_MAY = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
+# Ranks: tiles of 5000 grains, steps, starts without impulses.
+SERIES = {
+    "weak5000": {1: (1, 1, 5, 10), 2: (2, 1, 5, 5), 4: (2, 2, 5, 3), 8: (4, 2, 5, 3), 16: (4, 4, 3, 2), 32: (8, 4, 3, 1), 64: (8, 8, 1, 1, 30)},
+    "weak1250": {4: (1, 1, 5, 10), 8: (2, 1, 5, 3), 16: (2, 2, 3, 3), 32: (4, 2, 3, 2), 64: (4, 4, 3, 1)},
+    "strong40k": {2: (4, 2, 3, 2), 4: (4, 2, 3, 2), 16: (4, 2, 3, 2), 32: (4, 2, 1, 1), 64: (4, 2, 1, 1)},
+}
+# Ranks: parts of the mesh along each axis.
+CUTS = {2: (1, 2, 1), 4: (1, 4, 1), 8: (2, 4, 1), 16: (2, 8, 1)}
+SOLVERS = {"GAMG": None, "PCG": "solver PCG; preconditioner DIC;"}
+
+
+def rowsOf(path):
+    with open(path) as file:
+        return list(csv.DictReader(file))
+
+
+def appendRows(name, rows, **lead):
+    """Rows of one run, behind those of the runs before; `lead` are columns in front."""
+    path = BUILD/name
+    isNew = not path.exists()
+    with open(path, "a", newline="") as file:
+        writer = csv.writer(file)
+        for row in rows:
+            if isNew:
+                writer.writerow(list(lead) + list(row))
+            isNew = False
+            writer.writerow(list(lead.values()) + list(row.values()))
+
+
+def ranked(ranks, command, folder, environment=(), exports=()):
+    """Standard output of a program on so many ranks."""
+    exported = [word for name in exports for word in ("-x", name)]
+    return subprocess.run([*MPIRUN, "-np", str(ranks), *exported, *map(str, command)], cwd=folder, check=True, text=True,
+                          stdout=subprocess.PIPE, env={**os.environ, **ROOT_MAY, **dict(environment)}).stdout
+
+
+def dry(largest):
+    if not BED.exists():
+        subprocess.run([PROGRAMS/"rankedBed", "settle", BED, "10", "50", "600"], check=True, stdout=subprocess.DEVNULL)
+    counted = BUILD/"counted.csv"
+    for name, runs in SERIES.items():
+        for ranks, arguments in runs.items():
+            if ranks > largest:
+                continue
+            said = ranked(ranks, [PROGRAMS/"rankedBed", "run", BED, *arguments], BUILD, {"MESSAGE_COUNT_FILE": str(counted)})
+            print(name, said.splitlines()[-1], flush=True)
+            appendRows("runs.csv", csv.DictReader(said.splitlines()[-2:]), series=name)
+            appendRows("messages.csv", rowsOf(counted), series=name)
+
+
+def prepare(folder, ranks, solver):
+    shutil.rmtree(folder, ignore_errors=True)
+    for part in ("0.4", "constant", "system"):
+        shutil.copytree(TUTORIAL/part, folder/part)
+    control = (folder/"system/controlDict").read_text().split("functions")[0]
+    for keyword, value in (("endTime", 0.402), ("writeInterval", 10)):
+        control = "\n".join(("%s %g;" % (keyword, value)) if line.startswith(keyword) else line for line in control.splitlines())
+    (folder/"system/controlDict").write_text(control + "\n")
+    if SOLVERS[solver]:
+        solution = folder/"system/fvSolution"
+        solution.write_text(solution.read_text().replace("solver GAMG; smoother GaussSeidel;", SOLVERS[solver]))
+    # What a sweep sends does not depend on their number.
+    properties = folder/"constant/grainProperties"
+    properties.write_text(properties.read_text() + "\nsolver { maxSweeps 30; }\n")
+    (folder/"system/decomposeParDict").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }\n"
+        "numberOfSubdomains %d; method simple; simpleCoeffs { n (%d %d %d); delta 0.001; }\n" % (ranks, *CUTS[ranks]))
+    subprocess.run(["decomposePar", "-time", "0.4"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+
+
+def coupled(largest):
+    counted, folder = BUILD/"counted.csv", BUILD/"cases/messages"
+    for solver in SOLVERS:
+        for ranks in CUTS:
+            if ranks > largest:
+                continue
+            prepare(folder, ranks, solver)
+            log = ranked(ranks, ["nscdDEMFoam", "-parallel"], folder, {"PWD": str(folder)},
+                         ["LD_PRELOAD=%s" % (PROGRAMS/"libmessageCount.so"), "MESSAGE_COUNT_FILE=%s" % counted])
+            iterations = [line.split()[1] for line in log.splitlines() if "pressure iterations" in line]
+            print(solver, ranks, "ranks, pressure iterations of the steps:", *iterations, flush=True)
+            appendRows("messagesCoupled.csv", rowsOf(counted), pressureSolver=solver)
+
+
+def main():
+    what = sys.argv[1] if len(sys.argv) > 1 else "dry"
+    largest = int(sys.argv[2]) if len(sys.argv) > 2 else 64
+    if what not in ("dry", "coupled"):
+        raise SystemExit(__doc__)
+    {"dry": dry, "coupled": coupled}[what](largest)
+
+
+main()
