@@ -18,15 +18,14 @@ constexpr int blockSize = 3*blockLanes;
 
 } // namespace
 
-AndersonAcceleration::Impulses gatherImpulses(const std::vector<ContactBlock>& blocks, BlockRange range)
+void gatherImpulses(const std::vector<ContactBlock>& blocks, BlockRange range, AndersonAcceleration::Impulses& r)
 {
-    AndersonAcceleration::Impulses r(range.count*blockSize);
+    r.resize(range.count*blockSize);
     for (std::size_t k = 0; k < range.count; ++k)
     {
         const double* held = &blocks[range[k]].r[0][0];
         std::copy(held, held + blockSize, r.data() + k*blockSize);
     }
-    return r;
 }
 
 AndersonAcceleration::AndersonAcceleration(BlockRange range, DifferenceFunction addDifferences, const Halo& halo)
@@ -78,7 +77,7 @@ AndersonAcceleration::Gamma AndersonAcceleration::solveLeastSquares() const
 
 void AndersonAcceleration::remember(const std::vector<ContactBlock>& blocks, Impulses& r)
 {
-    previousImage_ = gatherImpulses(blocks, range_);
+    gatherImpulses(blocks, range_, previousImage_);
     for (std::size_t i = 0; i < previousImage_.size(); ++i) previousDefect_[i] = static_cast<float>(previousImage_[i] - r[i]);
     r = previousImage_;
     hasPrevious_ = true;

@@ -58,6 +58,6 @@ private:
 };
 
 /// The impulses the blocks hold.
-AndersonAcceleration::Impulses gatherImpulses(const std::vector<ContactBlock>& blocks, BlockRange range);
+void gatherImpulses(const std::vector<ContactBlock>& blocks, BlockRange range, AndersonAcceleration::Impulses& r);
 
 } // namespace nscd

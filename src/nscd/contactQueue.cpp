@@ -32,6 +32,7 @@ ContactQueue::ContactQueue(ContactProblem& problem, BlockRange range)
 :
     problem_(problem)
 {
+    used_.reserve(range.count*blockLanes);
     for (std::size_t k = 0; k < range.count; ++k)
     {
         for (int lane = 0; lane < blockLanes; ++lane)
@@ -47,7 +48,7 @@ void ContactQueue::groupByBody()
     start_.assign(problem_.bodies.size() + 1, 0);
     const auto forEach = [&](auto&& visit)
     {
-        for (std::size_t slot : used_)
+        for (std::uint32_t slot : used_)
         {
             for (std::int32_t body : bodiesOf(problem_, slot))
             {
@@ -55,33 +56,33 @@ void ContactQueue::groupByBody()
             }
         }
     };
-    forEach([&](std::int32_t body, std::size_t) { ++start_[body + 1]; });
+    forEach([&](std::int32_t body, std::uint32_t) { ++start_[body + 1]; });
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     slotsOfBody_.resize(start_.back());
-    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-    forEach([&](std::int32_t body, std::size_t slot) { slotsOfBody_[next[body]++] = slot; });
+    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+    forEach([&](std::int32_t body, std::uint32_t slot) { slotsOfBody_[next[body]++] = slot; });
 }
 
-std::vector<std::size_t> ContactQueue::defective(double threshold) const
+std::vector<std::uint32_t> ContactQueue::defective(double threshold) const
 {
-    std::vector<std::size_t> found;
-    for (std::size_t slot : used_)
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t slot : used_)
     {
         if (localChange(problem_, slot).defect > threshold) found.push_back(slot);
     }
     return found;
 }
 
-std::size_t ContactQueue::work(const std::vector<std::size_t>& seeds, double threshold, std::size_t maxVisits)
+std::size_t ContactQueue::work(const std::vector<std::uint32_t>& seeds, double threshold, std::size_t maxVisits)
 {
-    std::deque<std::size_t> queue(seeds.begin(), seeds.end());
+    std::deque<std::uint32_t> queue(seeds.begin(), seeds.end());
     std::vector<char> isQueued(problem_.blocks.size()*blockLanes, 0);
-    for (std::size_t slot : seeds) isQueued[slot] = 1;
+    for (std::uint32_t slot : seeds) isQueued[slot] = 1;
 
     std::size_t visits = 0;
     while (!queue.empty() && visits < maxVisits)
     {
-        const std::size_t slot = queue.front();
+        const std::uint32_t slot = queue.front();
         queue.pop_front();
         isQueued[slot] = 0;
         ++visits;
@@ -92,9 +93,9 @@ std::size_t ContactQueue::work(const std::vector<std::size_t>& seeds, double thr
         for (std::int32_t body : bodiesOf(problem_, slot))
         {
             if (!isMovable(problem_, body)) continue;
-            for (std::size_t k = start_[body]; k < start_[body + 1]; ++k)
+            for (std::uint32_t k = start_[body]; k < start_[body + 1]; ++k)
             {
-                const std::size_t neighbor = slotsOfBody_[k];
+                const std::uint32_t neighbor = slotsOfBody_[k];
                 if (neighbor == slot || isQueued[neighbor]) continue;
                 isQueued[neighbor] = 1;
                 queue.push_back(neighbor);

@@ -6,6 +6,7 @@
 
 #include "contactSolver.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace nscd
@@ -19,23 +20,23 @@ public:
     ContactQueue(ContactProblem& problem, BlockRange range);
 
     /// Contacts whose velocity defect exceeds the threshold [m/s].
-    std::vector<std::size_t> defective(double threshold) const;
+    std::vector<std::uint32_t> defective(double threshold) const;
 
     /// Works the queue off, starting from `seeds`: a change of u by less than `threshold` [m/s] is not kept (the thesis' revert).
     /// Returns the visits made, at most `maxVisits`.
     /// Errors: std::runtime_error for a velocity that is not finite
-    std::size_t work(const std::vector<std::size_t>& seeds, double threshold, std::size_t maxVisits);
+    std::size_t work(const std::vector<std::uint32_t>& seeds, double threshold, std::size_t maxVisits);
 
     /// Contacts there are.
-    const std::vector<std::size_t>& slots() const { return used_; }
+    const std::vector<std::uint32_t>& slots() const { return used_; }
 
 private:
     void groupByBody();
 
     ContactProblem& problem_;
-    std::vector<std::size_t> used_;
-    std::vector<std::size_t> start_;    ///< per body, into slotsOfBody_
-    std::vector<std::size_t> slotsOfBody_;
+    std::vector<std::uint32_t> used_;
+    std::vector<std::uint32_t> start_;    ///< per body, into slotsOfBody_
+    std::vector<std::uint32_t> slotsOfBody_;
 };
 
 } // namespace nscd

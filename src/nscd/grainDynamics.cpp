@@ -114,7 +114,8 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
 
     ContactProblem problem = makeProblem(external.speedScale);
-    const AndersonAcceleration::Impulses beforeShock = gatherImpulses(list.blocks, problem.all());
+    AndersonAcceleration::Impulses beforeShock;
+    gatherImpulses(list.blocks, problem.all(), beforeShock);
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;

@@ -69,6 +69,7 @@ void SlowSolve::forget()
 {
     queue_.reset();
     if (!anderson_) return;
+    anderson_.reset();  // before the new one asks for as much memory
     anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences, problem_.halo);
     restart();
 }
@@ -76,7 +77,7 @@ void SlowSolve::forget()
 void SlowSolve::restart()
 {
     anderson_->forget();
-    start_ = gatherImpulses(problem_.blocks, problem_.active());
+    gatherImpulses(problem_.blocks, problem_.active(), start_);
     sinceMixing_ = 0;
     isMixed_ = false;
 }

@@ -10,9 +10,10 @@ import sys
 
 # Measured (src/parallel/README.md says how).
 SECONDS_PER_GRAIN = 77e-9       # a sweep with its share of mixing, one core
-MESSAGES = 13.0*1.26            # that a rank sends in a sweep: neighbors, and the mixings' share
-BYTES = 225.0*1.26              # that a rank sends in a sweep, over n^(2/3)
-REDUCTIONS = 2.5                # in a sweep and its share of a mixing
+PASSES = 1.31                   # exchanges with the neighbors in a sweep: its own, and its share of a mixing
+MESSAGES = 13.0*PASSES          # that a rank sends in a sweep: neighbors
+BYTES = 225.0*PASSES            # that a rank sends in a sweep, over n^(2/3)
+REDUCTIONS = PASSES             # in a sweep and its share of a mixing
 
 # Assumed of the machine.
 LATENCY = 1.5e-6                # s, a message between nodes
@@ -28,7 +29,7 @@ def partsOfSweep(n, ranks, reductions=REDUCTIONS):
     """Seconds: work, waiting for the most loaded rank, messages, leaving the node, reductions, interruptions."""
     work = n*SECONDS_PER_GRAIN
     surface = BYTES*n**(2/3)
-    messages = 2*1.26*LATENCY + 2*MESSAGES*OVERHEAD + surface/BANDWIDTH_OF_RANK
+    messages = 2*PASSES*LATENCY + 2*MESSAGES*OVERHEAD + surface/BANDWIDTH_OF_RANK
     node = BYTES*(RANKS_PER_NODE*n)**(2/3)/BANDWIDTH_OF_NODE if ranks > RANKS_PER_NODE else 0.0
     reducing = reductions*LATENCY*math.log2(ranks)
     quiet = IMBALANCE*work + messages + node + reducing

@@ -225,7 +225,9 @@ TEST(SweepKernels, mixTheSameOnEveryPath)
         nscd::AndersonAcceleration one(problem.all(), portable.addDifferences, alone), other(problem.all(), wide.addDifferences, alone);
         for (int mixing = 0; mixing < 2*nscd::mixingDepth; ++mixing)
         {
-            std::vector<double> r = nscd::gatherImpulses(problem.blocks, problem.all()), same = r;
+            std::vector<double> r;
+            nscd::gatherImpulses(problem.blocks, problem.all(), r);
+            std::vector<double> same = r;
             portable.sweep(problem.bodies.data(), problem.blocks.data(), problem.all());
             one.mix(problem.blocks, r);
             other.mix(problem.blocks, same);
