@@ -49,7 +49,8 @@ class CaseFolder:
         for start in sorted(os.listdir(root), key=float):
             with open(os.path.join(root, start, "report.csv")) as file:
                 added = list(csv.DictReader(line for line in file if not line.startswith("#")))
-            rows = [row for row in rows if float(row["time"]) < float(added[0]["time"])] + added
+            if added:   # a run started at its end writes no row
+                rows = [row for row in rows if float(row["time"]) < float(added[0]["time"])] + added
         return {key: [float(row[key]) for row in rows] for key in rows[0]}
 
     def times(self):
