@@ -13,13 +13,83 @@ namespace nscdCoupling
 namespace
 {
 
-// The excess spreads like diffusion: n passes reach about sqrt(n) cells beyond the overfull ones. Grains ten cells wide need 300.
+// A way is as many passes long as there are cells on it.
 constexpr label maxPasses = 1000;
 
-// Round-off of a cell filled to the brim does not start another pass.
-constexpr scalar brim = 1e-10;
+// Solid fraction, over the limit, that may still be on its way after the last pass.
+constexpr scalar onItsWay = 1e-13;
+
+// Excess over the limit, relative to it, that is left alone, and that is not told.
+constexpr scalar leftAlone = 1e-12;
+constexpr scalar notTold = 1e-10;
 
 } // namespace
+
+// What arrived in the cells in the last pass is either kept or passed on.
+template<class Type>
+class PackingRedistribution::Passage
+{
+public:
+    Passage(const PackingRedistribution& owner, Field<Type>& perVolume)
+    :
+        owner_(owner),
+        kept_(perVolume),
+        arrived_(owner.atPassers(perVolume)),
+        next_(owner.mesh_.nCells(), Zero)
+    {
+        for (const Passer& passer : owner.passers_) kept_[passer.cell] = Zero;
+    }
+
+    Field<Type>& next() { return next_; }
+
+    void give()
+    {
+        const std::vector<scalar>& volume = owner_.mesh_.cellVolume;
+        forAll(arrived_, k)
+        {
+            const Passer& passer = owner_.passers_[k];
+            kept_[passer.cell] += passer.kept*arrived_[k];
+            for (label t = passer.firstTarget; t < passer.firstTarget + passer.nTargets; ++t)
+            {
+                const Target& target = owner_.targets_[t];
+                next_[target.cell] += target.share*volume[passer.cell]/volume[target.cell]*arrived_[k];
+            }
+        }
+    }
+
+    // After next() went to the owners.
+    void take()
+    {
+        forAll(arrived_, k)
+        {
+            const label cell = owner_.passers_[k].cell;
+            arrived_[k] = next_[cell];
+            next_[cell] = Zero;
+        }
+    }
+
+    void finish()
+    {
+        forAll(arrived_, k) kept_[owner_.passers_[k].cell] += arrived_[k];
+    }
+
+    // The most that is still to be passed on.
+    scalar largestOnItsWay() const
+    {
+        scalar largest = 0;
+        forAll(arrived_, k)
+        {
+            if (owner_.passers_[k].nTargets > 0) largest = std::max(largest, mag(arrived_[k]));
+        }
+        return largest;
+    }
+
+private:
+    const PackingRedistribution& owner_;
+    Field<Type>& kept_;
+    Field<Type> arrived_;  // by passer
+    Field<Type> next_;
+};
 
 PackingRedistribution::PackingRedistribution
 (
@@ -28,166 +98,170 @@ PackingRedistribution::PackingRedistribution
 :
     mesh_(mesh),
     exchange_(exchange),
-    limit_(largestSolidFraction)
+    limit_(largestSolidFraction),
+    potential_(mesh, exchange, largestSolidFraction)
 {}
 
-void PackingRedistribution::findLowerNeighbors(const label cell, const scalarField& solidFraction)
+template<class Type>
+Field<Type> PackingRedistribution::atPassers(const Field<Type>& cells) const
 {
-    lower_.clear();
-    for (label k = mesh_.cellFaceStart[cell]; k < mesh_.cellFaceStart[cell + 1]; ++k)
+    Field<Type> values(label(passers_.size()));
+    forAll(values, k) values[k] = cells[passers_[k].cell];
+    return values;
+}
+
+scalar PackingRedistribution::largest(const scalarField& solidFraction) const
+{
+    const auto largest = std::max_element(solidFraction.begin(), solidFraction.end());
+    return exchange_.max(largest == solidFraction.end() ? 0 : *largest);
+}
+
+// held: what is in the cell and what arrives there [m3].
+void PackingRedistribution::addPasser(const label cell, const scalar held)
+{
+    Passer passer{cell, 1, label(targets_.size()), 0};
+    potential_.forAllNeighbors(cell, [&](const label to)
     {
-        const label other = mesh_.cellFaces[k].neighbor;
-        const bool isKnown = std::find(lower_.begin(), lower_.end(), other) != lower_.end();
-        if (other >= 0 && !isKnown && solidFraction[other] < solidFraction[cell])
+        const scalar share = potential_.flow(cell, to)/held;
+        if (share > 0)
         {
-            lower_.push_back(other);
+            targets_.push_back({to, share});
+            passer.kept -= share;
+            ++passer.nTargets;
         }
-    }
+    });
+    passers_.push_back(passer);
 }
 
-scalar PackingRedistribution::relieve(const label cell, scalarField& solidFraction)
+// Returns the volume that flows out of own cells.
+scalar PackingRedistribution::findPassers(const scalarField& solidFraction)
 {
-    findLowerNeighbors(cell, solidFraction);
-    const scalar fraction = solidFraction[cell];
-    const scalar volume = mesh_.cellVolume[cell];
-    scalar room = 0;
-    scalar below = 0;
-    scalar lowerVolume = 0;
-    for (const label other : lower_)
-    {
-        room += mesh_.cellVolume[other]*std::max(0.0, limit_ - solidFraction[other]);
-        below += mesh_.cellVolume[other]*(fraction - solidFraction[other]);
-        lowerVolume += mesh_.cellVolume[other];
-    }
-    const scalar excess = (fraction - limit_)*volume;
-    const bool fits = room >= excess;
-    const scalar moved = fits ? excess : below*volume/(volume + lowerVolume);
-    if (moved <= 0)
-    {
-        return 0;
-    }
-    Move move{cell, label(targets_.size()), 0, 1 - moved/(fraction*volume)};
-    for (const label other : lower_)
-    {
-        const scalar level = fits ? limit_ : fraction;
-        const scalar wanted = mesh_.cellVolume[other]*std::max(0.0, level - solidFraction[other]);
-        const scalar amount = moved*wanted/(fits ? room : below);
-        targets_.push_back({other, amount/(fraction*volume)});
-        solidFraction[other] += amount/mesh_.cellVolume[other];
-        ++move.nTargets;
-    }
-    solidFraction[cell] *= move.kept;
-    moves_.push_back(move);
-    return moved;
-}
-
-bool PackingRedistribution::exceeds(const scalar solidFraction) const
-{
-    return solidFraction > limit_*(1 + brim);
-}
-
-bool PackingRedistribution::anyExceeds(const scalarField& solidFraction) const
-{
-    const auto end = solidFraction.begin() + mesh_.nOwnCells;
-    const bool isHere = std::any_of(solidFraction.begin(), end, [this](const scalar value) { return exceeds(value); });
-    return exchange_.max(isHere) > 0;
-}
-
-scalar PackingRedistribution::runPass(scalarField& solidFraction)
-{
-    const CellFields fields{{&solidFraction}, {}};
-    exchange_.toHalo(fields);
-    const std::vector<scalar> halo(solidFraction.begin() + mesh_.nOwnCells, solidFraction.end());
     scalar moved = 0;
     for (label cell = 0; cell < mesh_.nOwnCells; ++cell)
     {
-        if (exceeds(solidFraction[cell])) moved += relieve(cell, solidFraction);
+        scalar in = 0;
+        scalar out = 0;
+        potential_.forAllNeighbors(cell, [&](const label other)
+        {
+            in += potential_.flow(other, cell);
+            out += potential_.flow(cell, other);
+        });
+        if (in > 0 || out > 0) addPasser(cell, std::max(out, in + solidFraction[cell]*mesh_.cellVolume[cell]));
+        moved += out;
     }
-    for (std::size_t k = 0; k < halo.size(); ++k) solidFraction[mesh_.nOwnCells + label(k)] -= halo[k];
-    exchange_.toOwners(fields);
-    passEnd_.push_back(label(moves_.size()));
     return moved;
 }
 
-RedistributionReport PackingRedistribution::build(scalarField& solidFraction)
+void PackingRedistribution::pass(scalarField& solidFraction)
 {
-    RedistributionReport report;
-    moves_.clear();
-    targets_.clear();
-    passEnd_.clear();
-    if (!anyExceeds(solidFraction))
+    Passage<scalar> passage(*this, solidFraction);
+    while (nPasses_ < maxPasses && exchange_.max(passage.largestOnItsWay()) > onItsWay*limit_)
     {
-        return report;
+        passage.give();
+        exchange_.toOwners({{&passage.next()}, {}});
+        passage.take();
+        ++nPasses_;
     }
-    solidFraction.setSize(mesh_.nCells(), Zero);
-    do
-    {
-        report.movedVolume += runPass(solidFraction);
-        ++report.passes;
-    }
-    while (report.passes < maxPasses && anyExceeds(solidFraction));
-    solidFraction.setSize(mesh_.nOwnCells);
+    passage.finish();
+}
+
+void PackingRedistribution::sumReport(const scalarField& solidFraction, RedistributionReport& report) const
+{
     forAll(solidFraction, cell)
     {
-        if (exceeds(solidFraction[cell])) report.unresolvedVolume += (solidFraction[cell] - limit_)*mesh_.cellVolume[cell];
+        const scalar excess = solidFraction[cell] - limit_;
+        if (excess > notTold*limit_) report.unresolvedVolume += excess*mesh_.cellVolume[cell];
     }
     scalar sums[] = {report.movedVolume, report.unresolvedVolume};
     exchange_.sum(sums, 2);
     report.movedVolume = sums[0];
     report.unresolvedVolume = sums[1];
-    return report;
 }
 
-template<class Type>
-void PackingRedistribution::spread(const std::size_t pass, Field<Type>& perVolume) const
+RedistributionReport PackingRedistribution::build(scalarField& solidFraction)
 {
-    for (label moveI = passStart(pass); moveI < passEnd_[pass]; ++moveI)
+    RedistributionReport report;
+    passers_.clear();
+    targets_.clear();
+    nPasses_ = 0;
+    const scalar before = largest(solidFraction);
+    if (before <= limit_*(1 + leftAlone))
     {
-        const Move& move = moves_[moveI];
-        const Type amount = mesh_.cellVolume[move.from]*perVolume[move.from];
-        for (label k = move.firstTarget; k < move.firstTarget + move.nTargets; ++k)
-        {
-            perVolume[targets_[k].cell] += targets_[k].share/mesh_.cellVolume[targets_[k].cell]*amount;
-        }
-        perVolume[move.from] *= move.kept;
+        return report;
     }
+    const scalarField old = solidFraction;
+    report.iterations = potential_.solve(solidFraction);
+    report.movedVolume = findPassers(solidFraction);
+    pass(solidFraction);
+    if (largest(solidFraction) > before)
+    {
+        report.movedVolume = 0;
+        nPasses_ = 0;
+        solidFraction = old;
+    }
+    report.passes = nPasses_;
+    sumReport(solidFraction, report);
+    return report;
 }
 
 void PackingRedistribution::spread(const CellFields& perVolume) const
 {
-    perVolume.resize(isActive() ? mesh_.nCells() : mesh_.nOwnCells);
-    for (std::size_t pass = 0; pass < passEnd_.size(); ++pass)
+    if (!isActive())
     {
-        for (scalarField* field : perVolume.scalars) spread(pass, *field);
-        for (vectorField* field : perVolume.vectors) spread(pass, *field);
-        exchange_.toOwners(perVolume);
+        return;
     }
-    perVolume.resize(mesh_.nOwnCells);
+    std::vector<Passage<scalar>> scalars;
+    std::vector<Passage<vector>> vectors;
+    for (scalarField* field : perVolume.scalars) scalars.emplace_back(*this, *field);
+    for (vectorField* field : perVolume.vectors) vectors.emplace_back(*this, *field);
+    CellFields next;
+    for (Passage<scalar>& passage : scalars) next.scalars.push_back(&passage.next());
+    for (Passage<vector>& passage : vectors) next.vectors.push_back(&passage.next());
+    for (label pass = 0; pass < nPasses_; ++pass)
+    {
+        for (Passage<scalar>& passage : scalars) passage.give();
+        for (Passage<vector>& passage : vectors) passage.give();
+        exchange_.toOwners(next);
+        for (Passage<scalar>& passage : scalars) passage.take();
+        for (Passage<vector>& passage : vectors) passage.take();
+    }
+    for (Passage<scalar>& passage : scalars) passage.finish();
+    for (Passage<vector>& passage : vectors) passage.finish();
 }
 
 template<class Type>
-void PackingRedistribution::sample(const std::size_t pass, Field<Type>& cells) const
+void PackingRedistribution::sampleOnce(const Field<Type>& before, Field<Type>& cells) const
 {
-    for (label moveI = passEnd_[pass] - 1; moveI >= passStart(pass); --moveI)
+    Field<Type> seen(before.size());
+    forAll(seen, k)
     {
-        const Move& move = moves_[moveI];
-        Type value = move.kept*cells[move.from];
-        for (label k = move.firstTarget; k < move.firstTarget + move.nTargets; ++k)
+        const Passer& passer = passers_[k];
+        seen[k] = passer.kept*before[k];
+        for (label t = passer.firstTarget; t < passer.firstTarget + passer.nTargets; ++t)
         {
-            value += targets_[k].share*cells[targets_[k].cell];
+            seen[k] += targets_[t].share*cells[targets_[t].cell];
         }
-        cells[move.from] = value;
     }
+    forAll(seen, k) cells[passers_[k].cell] = seen[k];
 }
 
+// P^T = (1 + S^T + ... ) K + S^T^n by Horner's rule.
 void PackingRedistribution::sample(const CellFields& cells) const
 {
-    cells.resize(isActive() ? mesh_.nCells() : mesh_.nOwnCells);
-    for (std::size_t pass = passEnd_.size(); pass-- > 0;)
+    if (!isActive())
+    {
+        return;
+    }
+    std::vector<scalarField> scalars;
+    std::vector<vectorField> vectors;
+    for (const scalarField* field : cells.scalars) scalars.push_back(atPassers(*field));
+    for (const vectorField* field : cells.vectors) vectors.push_back(atPassers(*field));
+    cells.resize(mesh_.nCells());
+    for (label pass = 0; pass < nPasses_; ++pass)
     {
         exchange_.toHalo(cells);
-        for (scalarField* field : cells.scalars) sample(pass, *field);
-        for (vectorField* field : cells.vectors) sample(pass, *field);
+        for (std::size_t k = 0; k < scalars.size(); ++k) sampleOnce(scalars[k], *cells.scalars[k]);
+        for (std::size_t k = 0; k < vectors.size(); ++k) sampleOnce(vectors[k], *cells.vectors[k]);
     }
     cells.resize(mesh_.nOwnCells);
 }

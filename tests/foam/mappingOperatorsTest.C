@@ -190,11 +190,47 @@ TEST(mappingRedistribution, clearsWhatFitsAndReportsWhatDoesNot)
     EXPECT_LE(max(fraction), 0.8*(1 + 1e-9));
     EXPECT_GE(min(fraction), 0);
     EXPECT_NEAR(sum(fraction), 65.4, 1e-11);
+    EXPECT_LE(report.passes, 10);
 
     fraction = 0.9;
     report = redistribution.build(fraction);
     EXPECT_NEAR(report.unresolvedVolume, 133.1, 1e-9);
     EXPECT_NEAR(sum(fraction), 0.9*1331, 1e-9);
+}
+
+// Cells that give are full to the limit, those that get something have no more, and all others are as they were.
+TEST(mappingRedistribution, movesNoMoreThanItMust)
+{
+    BoxMesh box(shakenPartlyCyclic());
+    const scalarField& V = box.mesh().V();
+    const MappingMesh mesh = makeMappingMesh(box.mesh());
+    const HaloExchange exchange(mesh);
+    PackingRedistribution redistribution(mesh, exchange, 0.8);
+    const scalarField before = 0.6 + 0.4*randomField(box.mesh().nCells(), 5);
+    scalarField after = before;
+    EXPECT_EQ(redistribution.build(after).unresolvedVolume, 0);
+    EXPECT_NEAR(sum(V*after)/sum(V*before), 1, 1e-14);
+    forAll(after, cell)
+    {
+        EXPECT_LE(after[cell], 0.8*(1 + 1e-12));
+        EXPECT_GE(after[cell], min(before[cell], 0.8*(1 - 1e-12)));
+    }
+}
+
+// Solid has only one way along a row of cells: each keeps what fits.
+TEST(mappingRedistribution, fillsARowFromItsEnd)
+{
+    BoxMesh box(unitCells(labelVector(8, 1, 1)));
+    const MappingMesh mesh = makeMappingMesh(box.mesh());
+    const HaloExchange exchange(mesh);
+    PackingRedistribution redistribution(mesh, exchange, 0.5);
+    scalarField fraction(8, 0.1);
+    fraction[0] = 1.8;
+    const RedistributionReport report = redistribution.build(fraction);
+    const scalar expected[] = {0.5, 0.5, 0.5, 0.5, 0.2, 0.1, 0.1, 0.1};
+    forAll(fraction, cell) EXPECT_NEAR(fraction[cell], expected[cell], 1e-13) << cell;
+    EXPECT_NEAR(report.movedVolume, 1.3 + 0.9 + 0.5 + 0.1, 1e-12);
+    EXPECT_EQ(report.passes, 4);
 }
 
 } // End anonymous namespace
