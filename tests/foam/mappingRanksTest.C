@@ -377,6 +377,12 @@ void expectRedistribution(RanksMesh& mesh, const ::nscd::Grains& grains, const d
     expectLimitAndConservation(part, mesh.part(), grains, amounts.forces, 1 - dict.get<scalar>("minFluidFraction"));
     expectDuality(part, mesh.part(), forces, velocities, tolerance);
     expectRecordedOperator(mapping, mine, part, 10*tolerance);
+    const Mapped again
+    (
+        mapping, mesh.part(), mine, chosen(amounts.masses, which), forces, mesh.partOf(amounts.pressures), velocities
+    );
+    EXPECT_EQ(again.solid, part.solid);
+    EXPECT_EQ(again.force, part.force);
 }
 
 TEST(mappingRanks, redistributeAcrossRanks)
