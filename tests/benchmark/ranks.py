@@ -25,14 +25,14 @@ TUTORIAL = ROOT/"tutorials/coupled/fluidizedBed"
 MPIRUN = ["mpirun", "--bind-to", "core", "-np"]
 ROOT_MAY = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 RANKS = (1, 2)
-ROUNDS = 3
+ROUNDS = 2
 TILES = 4
 WIDTH = 0.015           # m, of the tutorial's bed
 SETTLED, END = 0.03, 0.09
 
 
 def said(folder, *words):
-    """What a program printed; its whole output is in log.<program>."""
+    """What a program printed."""
     run = subprocess.run(list(map(str, words)), cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                          text=True, env={**os.environ, **ROOT_MAY, "PWD": str(folder)})
     if run.returncode:
