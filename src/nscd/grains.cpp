@@ -35,20 +35,6 @@ void Grains::add(const Vec3& x, double r, double density, int materialIndex, std
     nOwned = size();
 }
 
-template<class Change>
-void Grains::forEachArray(const Change& change)
-{
-    change(position);
-    change(velocity);
-    change(omega);
-    change(orientation);
-    change(radius);
-    change(mass);
-    change(material);
-    change(id);
-    change(isFixed);
-}
-
 void Grains::reserve(std::size_t number)
 {
     forEachArray([number](auto& values) { values.reserve(number); });

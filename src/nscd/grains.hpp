@@ -52,10 +52,24 @@ struct Grains
     void reserve(std::size_t number);
     void shrinkToFit();
 
-private:
+    /// Calls change(values) for each of the arrays with an entry per grain.
     template<class Change>
     void forEachArray(const Change& change);
 };
+
+template<class Change>
+void Grains::forEachArray(const Change& change)
+{
+    change(position);
+    change(velocity);
+    change(omega);
+    change(orientation);
+    change(radius);
+    change(mass);
+    change(material);
+    change(id);
+    change(isFixed);
+}
 
 /// Sum of all owned grains' volume [m3].
 double totalVolume(const Grains& grains);

@@ -60,18 +60,21 @@ bool SlowSolve::isSlow(const DefectSums& sums)
 
 void SlowSolve::start(int sweeps)
 {
-    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences, problem_.halo);
     endOfTerm_ = sweeps + probation;
+    makeMixing();
+}
+
+void SlowSolve::makeMixing()
+{
+    anderson_.reset();  // before the new one asks for as much memory
+    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences, problem_.halo);
     restart();
 }
 
 void SlowSolve::forget()
 {
     queue_.reset();
-    if (!anderson_) return;
-    anderson_.reset();  // before the new one asks for as much memory
-    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences, problem_.halo);
-    restart();
+    if (anderson_) makeMixing();
 }
 
 void SlowSolve::restart()

@@ -32,6 +32,7 @@ private:
     int solveLocally(int sweeps, const StopRule& rule);
     bool isSlow(const DefectSums& sums);
     void start(int sweeps);
+    void makeMixing();
     void restart();
     void judgeTerm(int sweeps);
     void mix(const DefectSums& sums);

@@ -6,20 +6,20 @@ dry: beds 50 layers deep, tiled: 5000 and 1250 grains a rank, and 40 000 grains 
 coupled: steps of tutorials/coupled/fluidizedBed from 0.4 s, which its Allrun must have written."""
 
 import csv
-import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
+
+from foamFiles import setEntry
+from rankedRun import said, setParts
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT/"build/benchmark"
 PROGRAMS = ROOT/"build/core/benchmark"
 BED = BUILD/"bed10x50.dat"
 TUTORIAL = ROOT/"tutorials/coupled/fluidizedBed"
-# Ranks that wait give their core to others: there are more of them than cores. As root only where that is all there is.
+# Ranks that wait give their core to others: there are more of them than cores.
 MPIRUN = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1"]
-ROOT_MAY = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 # Ranks: tiles of 5000 grains, steps, starts without impulses.
 SERIES = {
@@ -51,23 +51,22 @@ def appendRows(name, rows, **lead):
 
 
 def ranked(ranks, command, folder, environment=(), exports=()):
-    """Standard output of a program on so many ranks."""
+    """What a program printed on so many ranks."""
     exported = [word for name in exports for word in ("-x", name)]
-    return subprocess.run([*MPIRUN, "-np", str(ranks), *exported, *map(str, command)], cwd=folder, check=True, text=True,
-                          stdout=subprocess.PIPE, env={**os.environ, **ROOT_MAY, **dict(environment)}).stdout
+    return said(folder, *MPIRUN, "-np", ranks, *exported, *command, environment=environment)
 
 
 def dry(largest):
     if not BED.exists():
-        subprocess.run([PROGRAMS/"rankedBed", "settle", BED, "10", "50", "600"], check=True, stdout=subprocess.DEVNULL)
+        said(BUILD, PROGRAMS/"rankedBed", "settle", BED, 10, 50, 600)
     counted = BUILD/"counted.csv"
     for name, runs in SERIES.items():
         for ranks, arguments in runs.items():
             if ranks > largest:
                 continue
-            said = ranked(ranks, [PROGRAMS/"rankedBed", "run", BED, *arguments], BUILD, {"MESSAGE_COUNT_FILE": str(counted)})
-            print(name, said.splitlines()[-1], flush=True)
-            appendRows("runs.csv", csv.DictReader(said.splitlines()[-2:]), series=name)
+            printed = ranked(ranks, [PROGRAMS/"rankedBed", "run", BED, *arguments], BUILD, {"MESSAGE_COUNT_FILE": str(counted)})
+            print(name, printed.splitlines()[-1], flush=True)
+            appendRows("runs.csv", csv.DictReader(printed.splitlines()[-2:]), series=name)
             appendRows("messages.csv", rowsOf(counted), series=name)
 
 
@@ -75,20 +74,18 @@ def prepare(folder, ranks, solver):
     shutil.rmtree(folder, ignore_errors=True)
     for part in ("0.4", "constant", "system"):
         shutil.copytree(TUTORIAL/part, folder/part)
-    control = (folder/"system/controlDict").read_text().split("functions")[0]
-    for keyword, value in (("endTime", 0.402), ("writeInterval", 10)):
-        control = "\n".join(("%s %g;" % (keyword, value)) if line.startswith(keyword) else line for line in control.splitlines())
-    (folder/"system/controlDict").write_text(control + "\n")
+    control = folder/"system/controlDict"
+    control.write_text(control.read_text().split("functions")[0])
+    for keyword, value in (("endTime", "0.402"), ("writeInterval", "10")):
+        setEntry(control, keyword, value)
     if SOLVERS[solver]:
         solution = folder/"system/fvSolution"
         solution.write_text(solution.read_text().replace("solver GAMG; smoother GaussSeidel;", SOLVERS[solver]))
     # What a sweep sends does not depend on their number.
     properties = folder/"constant/grainProperties"
     properties.write_text(properties.read_text() + "\nsolver { maxSweeps 30; }\n")
-    (folder/"system/decomposeParDict").write_text(
-        "FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }\n"
-        "numberOfSubdomains %d; method simple; simpleCoeffs { n (%d %d %d); delta 0.001; }\n" % (ranks, *CUTS[ranks]))
-    subprocess.run(["decomposePar", "-time", "0.4"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    setParts(folder, CUTS[ranks])
+    said(folder, "decomposePar", "-time", "0.4")
 
 
 def coupled(largest):
@@ -98,8 +95,8 @@ def coupled(largest):
             if ranks > largest:
                 continue
             prepare(folder, ranks, solver)
-            log = ranked(ranks, ["nscdDEMFoam", "-parallel"], folder, {"PWD": str(folder)},
-                         ["LD_PRELOAD=%s" % (PROGRAMS/"libmessageCount.so"), "MESSAGE_COUNT_FILE=%s" % counted])
+            log = ranked(ranks, ["nscdDEMFoam", "-parallel"], folder,
+                         exports=["LD_PRELOAD=%s" % (PROGRAMS/"libmessageCount.so"), "MESSAGE_COUNT_FILE=%s" % counted])
             iterations = [line.split()[1] for line in log.splitlines() if "pressure iterations" in line]
             print(solver, ranks, "ranks, pressure iterations of the steps:", *iterations, flush=True)
             appendRows("messagesCoupled.csv", rowsOf(counted), pressureSolver=solver)

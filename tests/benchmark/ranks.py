@@ -7,15 +7,14 @@ coupled: the bed that tutorials/coupled/fluidizedBed/Allrun settled, four times 
 Nothing else should run meanwhile."""
 
 import csv
-import os
 import re
 import shutil
-import subprocess
 import sys
 import time
 from pathlib import Path
 
 from foamFiles import readNumbers, setEntry
+from rankedRun import said, setParts
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT/"build/benchmark"
@@ -23,21 +22,11 @@ BED = BUILD/"bed20x25.dat"
 RANKED_BED = ROOT/"build/core/benchmark/rankedBed"
 TUTORIAL = ROOT/"tutorials/coupled/fluidizedBed"
 MPIRUN = ["mpirun", "--bind-to", "core", "-np"]
-ROOT_MAY = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 RANKS = (1, 2)
 ROUNDS = 2
 TILES = 4
 WIDTH = 0.015           # m, of the tutorial's bed
 SETTLED, END = 0.03, 0.09
-
-
-def said(folder, *words):
-    """What a program printed."""
-    run = subprocess.run(list(map(str, words)), cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                         text=True, env={**os.environ, **ROOT_MAY, "PWD": str(folder)})
-    if run.returncode:
-        raise SystemExit("%s failed in %s:\n%s" % (" ".join(map(str, words)), folder, run.stdout[-2000:]))
-    return run.stdout
 
 
 def dry():
@@ -79,9 +68,7 @@ def makeCase(case):
     properties = case/"constant/grainProperties"
     properties.write_text(properties.read_text().split("grains\n{")[0]
                           + "grains { type positionsFile; file kinematicCloudPositions; material glass; diameter 0.0025; }\n")
-    (case/"system/decomposeParDict").write_text(
-        "FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }\n"
-        "numberOfSubdomains 2; method simple; simpleCoeffs { n (1 2 1); delta 0.001; }\n")
+    setParts(case, (1, 2, 1))
     setTimes(case, SETTLED, SETTLED)
     said(case, "blockMesh")
 

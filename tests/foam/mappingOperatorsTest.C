@@ -165,9 +165,8 @@ TEST(grainMapping, voidFractionIsOneLessTheVolumeSpread)
 TEST(mappingRedistribution, doesNothingBelowTheLimit)
 {
     BoxMesh box(unitCells(labelVector(4, 4, 4)));
-    const MappingMesh mesh = makeMappingMesh(box.mesh());
-    const HaloExchange exchange(mesh);
-    PackingRedistribution redistribution(mesh, exchange, 0.8);
+    LimitedPacking packing(box.mesh(), 0.8);
+    PackingRedistribution& redistribution = packing.redistribution;
     scalarField fraction(64, 0.8);
     const RedistributionReport report = redistribution.build(fraction);
     EXPECT_EQ(report.passes, 0);
@@ -180,9 +179,8 @@ TEST(mappingRedistribution, doesNothingBelowTheLimit)
 TEST(mappingRedistribution, clearsWhatFitsAndReportsWhatDoesNot)
 {
     BoxMesh box(unitCells(labelVector(11, 11, 11)));
-    const MappingMesh mesh = makeMappingMesh(box.mesh());
-    const HaloExchange exchange(mesh);
-    PackingRedistribution redistribution(mesh, exchange, 0.8);
+    LimitedPacking packing(box.mesh(), 0.8);
+    PackingRedistribution& redistribution = packing.redistribution;
     scalarField fraction(1331, Zero);
     fraction[665] = 65.4;
     RedistributionReport report = redistribution.build(fraction);
@@ -203,9 +201,8 @@ TEST(mappingRedistribution, movesNoMoreThanItMust)
 {
     BoxMesh box(shakenPartlyCyclic());
     const scalarField& V = box.mesh().V();
-    const MappingMesh mesh = makeMappingMesh(box.mesh());
-    const HaloExchange exchange(mesh);
-    PackingRedistribution redistribution(mesh, exchange, 0.8);
+    LimitedPacking packing(box.mesh(), 0.8);
+    PackingRedistribution& redistribution = packing.redistribution;
     const scalarField before = 0.6 + 0.4*randomField(box.mesh().nCells(), 5);
     scalarField after = before;
     EXPECT_EQ(redistribution.build(after).unresolvedVolume, 0);
@@ -221,9 +218,8 @@ TEST(mappingRedistribution, movesNoMoreThanItMust)
 TEST(mappingRedistribution, fillsARowFromItsEnd)
 {
     BoxMesh box(unitCells(labelVector(8, 1, 1)));
-    const MappingMesh mesh = makeMappingMesh(box.mesh());
-    const HaloExchange exchange(mesh);
-    PackingRedistribution redistribution(mesh, exchange, 0.5);
+    LimitedPacking packing(box.mesh(), 0.5);
+    PackingRedistribution& redistribution = packing.redistribution;
     scalarField fraction(8, 0.1);
     fraction[0] = 1.8;
     const RedistributionReport report = redistribution.build(fraction);

@@ -434,9 +434,8 @@ TEST(mappingRanks, tellWhatFitsNowhere)
 {
     RanksMesh mesh(shakenCells(labelVector(7, 4, 4)), scattered());
     const scalarField whole = 1.0 + 0.15*randomField(mesh.whole().nCells(), 3);
-    const MappingMesh mappingMesh = makeMappingMesh(mesh.part());
-    const HaloExchange exchange(mappingMesh);
-    PackingRedistribution redistribution(mappingMesh, exchange, 0.8);
+    LimitedPacking packing(mesh.part(), 0.8);
+    PackingRedistribution& redistribution = packing.redistribution;
     scalarField fraction = mesh.partOf(whole);
     const RedistributionReport report = redistribution.build(fraction);
     EXPECT_FALSE(redistribution.isActive());

@@ -163,15 +163,7 @@ labelList nearestPatches(const polyMesh& mesh, const pointField& positions, cons
 
 void eraseGrains(nscd::Grains& grains, const std::vector<std::size_t>& indices)
 {
-    eraseAt(grains.position, indices);
-    eraseAt(grains.velocity, indices);
-    eraseAt(grains.omega, indices);
-    eraseAt(grains.orientation, indices);
-    eraseAt(grains.radius, indices);
-    eraseAt(grains.mass, indices);
-    eraseAt(grains.material, indices);
-    eraseAt(grains.id, indices);
-    eraseAt(grains.isFixed, indices);
+    grains.forEachArray([&indices](auto& values) { eraseAt(values, indices); });
     grains.nOwned = grains.size();
 }
 

@@ -148,7 +148,7 @@ def sameFractions(verdict, case):
     for parts in ((2, 1, 1), (1, 3, 1), (2, 2, 1)):
         cut = runCut(still, parts)
         verdict.below(cut.label + ": alpha.fluid", differ(alpha, gathered(cut, "alpha.fluid", cut.ranks, time)), 1e-12, "least %.3g" % min(alpha))
-        command(cut, "reconstructPar", "reconstructPar")
+        command(cut, "reconstructPar")
         verdict.below(cut.label + ": alpha.fluid by reconstructPar", differ(alpha, cut.fieldValues("alpha.fluid", time)), 1e-12)
 
 

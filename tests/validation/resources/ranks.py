@@ -9,15 +9,32 @@ import sys
 
 from foamCase import CaseFolder, readList
 
+# In a container without users, everybody is root.
+ROOT_MAY = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
-def command(case, log, *words):
-    with open(os.path.join(case.folder, "log." + log), "w") as file:
-        status = subprocess.call(words, cwd=case.folder, stdout=file, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
-                                 env=dict(os.environ, PWD=case.folder, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1"))
-    if status != 0:
-        with open(file.name) as text:
-            print("".join(text.readlines()[-25:]))
+
+def status(case, *words, log=None):
+    """Runs a program in the case; its output in log.<name>."""
+    with open(os.path.join(case.folder, "log." + (log or words[0])), "w") as file:
+        return subprocess.call(words, cwd=case.folder, stdout=file, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                               env=dict(os.environ, **ROOT_MAY, PWD=case.folder), timeout=600)
+
+
+def logOf(case, log):
+    with open(os.path.join(case.folder, "log." + log), errors="replace") as file:
+        return file.read()
+
+
+def command(case, *words, log=None):
+    """A program that must succeed."""
+    if status(case, *words, log=log) != 0:
+        print("".join(logOf(case, log or words[0]).splitlines(True)[-25:]))
         sys.exit("%s failed in %s" % (" ".join(words), case.folder))
+
+
+def launcher(ranks, program="nscdDEMFoam", *options):
+    """Words that start a program on more ranks than there may be cores."""
+    return ("mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np", str(ranks), program, "-parallel") + options
 
 
 def copied(case, name, times=("0",)):
@@ -38,11 +55,11 @@ def decompose(case, ranks, method, entries="", cellRanks=None, options=()):
     if cellRanks:
         with open(os.path.join(case.folder, "constant/cellRanks"), "w") as file:
             file.write(head % ("labelList", "cellRanks") + "(%s)\n" % " ".join(map(str, cellRanks)))
-    command(case, "decomposePar", "decomposePar", *options)
+    command(case, "decomposePar", *options)
 
 
 def onRanks(case, program, ranks, log="ranks"):
-    command(case, log, "mpirun", "--oversubscribe", "-np", str(ranks), program, "-parallel")
+    command(case, *launcher(ranks, program), log=log)
 
 
 def gathered(case, field, ranks, time):
