@@ -12,7 +12,7 @@ namespace nscd
 namespace
 {
 
-constexpr std::size_t windowSize = 256;
+constexpr std::size_t windowSize = 512;
 constexpr int blocksPerWindow = 64;  // bits of the masks
 
 /// Which open blocks of the present window hold a body, reset lazily by window number.

@@ -13,30 +13,32 @@ namespace nscd
 namespace
 {
 
-/// Impulses d on A, -d on B: velocities.
-template<class Real>
-inline void addVelocities(Real (&A)[8], Real (&B)[8], Real dx, Real dy, Real dz)
+/// What a contact needs to know of its two bodies, one number per lane.
+template<class V>
+struct Relative
 {
-    A[0] += A[3]*dx;
-    A[1] += A[3]*dy;
-    A[2] += A[3]*dz;
-    B[0] -= B[3]*dx;
-    B[1] -= B[3]*dy;
-    B[2] -= B[3]*dz;
-}
+    using Real = typename V::Real;
+    Real v[3];    ///< of A minus that of B
+    Real mass;    ///< sum of 1/m
+    Real s[3];    ///< sum of the spin variables
+    Real spin;    ///< sum of 1/(kappa m)
+};
 
-/// Impulses d on A, -d on B, at contacts with normal n: velocities and spins s = R omega.
-template<class Real>
-inline void addImpulses(Real (&A)[8], Real (&B)[8], Real nx, Real ny, Real nz, Real dx, Real dy, Real dz)
+/// Moves the bodies of each lane by impulses d on A, -d on B at contacts with normal n: v by d/m, s = R omega by -(n x d)/(kappa m).
+template<class V, bool isFrictional>
+inline void applyImpulses
+(
+    Body* bodies, const ContactBlock& block, int first,
+    typename V::Real nx, typename V::Real ny, typename V::Real nz, typename V::Real dx, typename V::Real dy, typename V::Real dz
+)
 {
-    addVelocities(A, B, dx, dy, dz);
-    const Real mx = ny*dz - nz*dy, my = nz*dx - nx*dz, mz = nx*dy - ny*dx;
-    A[4] -= A[7]*mx;
-    A[5] -= A[7]*my;
-    A[6] -= A[7]*mz;
-    B[4] -= B[7]*mx;
-    B[5] -= B[7]*my;
-    B[6] -= B[7]*mz;
+    using Real = typename V::Real;
+    if (isFrictional)
+    {
+        const Real mx = nz*dy - ny*dz, my = nx*dz - nz*dx, mz = ny*dx - nx*dy;
+        V::template push<true>(bodies, block.a + first, block.b + first, dx, dy, dz, mx, my, mz);
+    }
+    else V::template push<false>(bodies, block.a + first, block.b + first, dx, dy, dz, V::zero(), V::zero(), V::zero());
 }
 
 /// Local solution of one contact per lane (grains.md section 1): with own impulse r, relative velocity u at the contact,
@@ -47,18 +49,17 @@ inline void solveLanes(Body* bodies, ContactBlock& block, int first, typename V:
 {
     using Real = typename V::Real;
 
-    Real A[8], B[8];
-    V::loadBodies(bodies, block.a + first, A);
-    V::loadBodies(bodies, block.b + first, B);
+    Relative<V> relative;
+    V::loadRelative(bodies, block.a + first, block.b + first, relative);
 
     const Real nx = V::load(block.n[0] + first), ny = V::load(block.n[1] + first), nz = V::load(block.n[2] + first);
     const Real rx = V::load(block.r[0] + first), ry = V::load(block.r[1] + first), rz = V::load(block.r[2] + first);
-    const Real wn = A[3] + B[3];
+    const Real wn = relative.mass;
 
-    Real ux = A[0] - B[0], uy = A[1] - B[1], uz = A[2] - B[2];
+    Real ux = relative.v[0], uy = relative.v[1], uz = relative.v[2];
     if (isFrictional)
     {
-        const Real sx = A[4] + B[4], sy = A[5] + B[5], sz = A[6] + B[6];
+        const Real sx = relative.s[0], sy = relative.s[1], sz = relative.s[2];
         ux -= sy*nz - sz*ny;
         uy -= sz*nx - sx*nz;
         uz -= sx*ny - sy*nx;
@@ -68,23 +69,27 @@ inline void solveLanes(Body* bodies, ContactBlock& block, int first, typename V:
     const Real pn = V::max(V::zero(), rn - (un + V::load(block.bias + first))*V::load(block.invWn + first));
 
     const Real dn = pn - rn;
-    Real defect2 = wn*dn*(wn*dn);
+    Real defect2 = wn*wn*(dn*dn);
     Real px = pn*nx, py = pn*ny, pz = pn*nz;
     if (isFrictional)
     {
         const Real invWt = V::load(block.invWt + first);
-        const Real qx = rx - rn*nx - (ux - un*nx)*invWt;
-        const Real qy = ry - rn*ny - (uy - un*ny)*invWt;
-        const Real qz = rz - rn*nz - (uz - un*nz)*invWt;
-        const Real limit = V::load(block.friction + first)*(isUpdate ? pn : V::max(V::zero(), rn));
+        const Real qn = rn - un*invWt;
+        const Real qx = rx - ux*invWt - qn*nx, qy = ry - uy*invWt - qn*ny, qz = rz - uz*invWt - qn*nz;
+        const Real bound = isUpdate ? pn : V::max(V::zero(), rn);
+        const Real limit = V::load(block.friction + first)*bound;
         const Real q2 = qx*qx + qy*qy + qz*qz;
         const Real scale = V::select(q2 > limit*limit, limit/V::sqrt(V::max(q2, V::tiny())), V::one());
         px += scale*qx;
         py += scale*qy;
         pz += scale*qz;
-        const Real wt = wn + A[7] + B[7];
-        const Real tx = scale*qx - (rx - rn*nx), ty = scale*qy - (ry - rn*ny), tz = scale*qz - (rz - rn*nz);
-        defect2 += wt*wt*(tx*tx + ty*ty + tz*tz);
+    }
+    const Real dx = px - rx, dy = py - ry, dz = pz - rz;
+    if (isFrictional)
+    {
+        const Real wt = wn + relative.spin;
+        const Real tangential2 = dx*dx + dy*dy + dz*dz - dn*dn;
+        defect2 += wt*wt*V::max(V::zero(), tangential2);
     }
     const Real isActive = V::select(V::max(pn, rn) > V::zero(), V::one(), V::zero());
     sum2 += defect2*isActive;
@@ -92,14 +97,28 @@ inline void solveLanes(Body* bodies, ContactBlock& block, int first, typename V:
     active += isActive;
     if (!isUpdate) return;
 
-    const Real dx = px - rx, dy = py - ry, dz = pz - rz;
-    if (isFrictional) addImpulses(A, B, nx, ny, nz, dx, dy, dz);
-    else addVelocities(A, B, dx, dy, dz);
     V::store(block.r[0] + first, px);
     V::store(block.r[1] + first, py);
     V::store(block.r[2] + first, pz);
-    V::storeBodies(bodies, block.a + first, A);
-    V::storeBodies(bodies, block.b + first, B);
+    applyImpulses<V, isFrictional>(bodies, block, first, nx, ny, nz, dx, dy, dz);
+}
+
+/// Blocks and bodies that a pass will come to are asked for this many blocks ahead: without, a pass over more than the caches hold
+/// takes a third longer.
+constexpr std::size_t blocksAhead = 12, bodiesAhead = 6;
+
+inline void prefetch(const Body* bodies, const ContactBlock* blocks, BlockRange range, std::size_t k)
+{
+    if (k + blocksAhead < range.count)
+    {
+        const char* lines = reinterpret_cast<const char*>(&blocks[range[k + blocksAhead]]);
+        for (std::size_t line = 0; line < sizeof(ContactBlock); line += 64) __builtin_prefetch(lines + line);
+    }
+    if (k + bodiesAhead < range.count)
+    {
+        const ContactBlock& block = blocks[range[k + bodiesAhead]];
+        for (int l = 0; l < blockLanes; ++l) __builtin_prefetch(bodies + block.b[l]);
+    }
 }
 
 template<class V, bool isFrictional, bool isUpdate>
@@ -108,7 +127,7 @@ DefectSums passOverBlocks(Body* bodies, ContactBlock* blocks, BlockRange range)
     typename V::Real sum2 = V::zero(), max2 = V::zero(), active = V::zero();
     for (std::size_t k = 0; k < range.count; ++k)
     {
-        if (k + 2 < range.count) V::prefetch(bodies, blocks[range[k + 2]]);
+        prefetch(bodies, blocks, range, k);
         for (int first = 0; first < blockLanes; first += V::lanes)
         {
             solveLanes<V, isFrictional, isUpdate>(bodies, blocks[range[k]], first, sum2, max2, active);
@@ -133,10 +152,6 @@ inline void replaceLanes(Body* bodies, ContactBlock& block, int first, double* t
 {
     using Real = typename V::Real;
 
-    Real A[8], B[8];
-    V::loadBodies(bodies, block.a + first, A);
-    V::loadBodies(bodies, block.b + first, B);
-
     const Real nx = V::load(block.n[0] + first), ny = V::load(block.n[1] + first), nz = V::load(block.n[2] + first);
     Real px = V::load(target + first), py = V::load(target + blockLanes + first), pz = V::load(target + 2*blockLanes + first);
     const Real qn = px*nx + py*ny + pz*nz;
@@ -149,9 +164,7 @@ inline void replaceLanes(Body* bodies, ContactBlock& block, int first, double* t
     py = pn*ny + scale*ty;
     pz = pn*nz + scale*tz;
     const Real dx = px - V::load(block.r[0] + first), dy = py - V::load(block.r[1] + first), dz = pz - V::load(block.r[2] + first);
-    addImpulses(A, B, nx, ny, nz, dx, dy, dz);
-    V::storeBodies(bodies, block.a + first, A);
-    V::storeBodies(bodies, block.b + first, B);
+    applyImpulses<V, true>(bodies, block, first, nx, ny, nz, dx, dy, dz);
 
     const Real p[3] = {px, py, pz};
     for (int k = 0; k < 3; ++k)
@@ -166,7 +179,7 @@ void replaceImpulses(Body* bodies, ContactBlock* blocks, BlockRange range, doubl
 {
     for (std::size_t k = 0; k < range.count; ++k)
     {
-        if (k + 2 < range.count) V::prefetch(bodies, blocks[range[k + 2]]);
+        prefetch(bodies, blocks, range, k);
         for (int first = 0; first < blockLanes; first += V::lanes)
         {
             replaceLanes<V>(bodies, blocks[range[k]], first, target + k*3*blockLanes);

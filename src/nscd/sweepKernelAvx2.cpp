@@ -31,15 +31,6 @@ struct Avx2Lanes
     template<class Mask>
     static Real select(Mask mask, Real a, Real b) { return mask ? a : b; }
 
-    static void prefetch(const Body* bodies, const ContactBlock& block)
-    {
-        for (int l = 0; l < blockLanes; ++l)
-        {
-            __builtin_prefetch(bodies + block.a[l]);
-            __builtin_prefetch(bodies + block.b[l]);
-        }
-    }
-
     static void transpose(Real& a, Real& b, Real& c, Real& d)
     {
         const Real ab0 = _mm256_unpacklo_pd(a, b), ab1 = _mm256_unpackhi_pd(a, b);
@@ -50,27 +41,35 @@ struct Avx2Lanes
         d = _mm256_permute2f128_pd(ab1, cd1, 0x31);
     }
 
-    static void loadBodies(const Body* bodies, const std::int32_t* index, Real (&x)[8])
+    static void loadRelative(const Body* bodies, const std::int32_t* a, const std::int32_t* b, Relative<Avx2Lanes>& relative)
     {
+        const Real sign = _mm256_setr_pd(-1, -1, -1, 1);
+        Real v[4], s[4];
         for (int l = 0; l < lanes; ++l)
         {
-            const double* body = bodies[index[l]].v;
-            x[l] = _mm256_load_pd(body);
-            x[4 + l] = _mm256_load_pd(body + 4);
+            v[l] = _mm256_load_pd(bodies[a[l]].v) + sign*_mm256_load_pd(bodies[b[l]].v);
+            s[l] = _mm256_load_pd(bodies[a[l]].s) + _mm256_load_pd(bodies[b[l]].s);
         }
-        transpose(x[0], x[1], x[2], x[3]);
-        transpose(x[4], x[5], x[6], x[7]);
+        transpose(v[0], v[1], v[2], v[3]);
+        transpose(s[0], s[1], s[2], s[3]);
+        relative = {{v[0], v[1], v[2]}, v[3], {s[0], s[1], s[2]}, s[3]};
     }
 
-    static void storeBodies(Body* bodies, const std::int32_t* index, Real (&x)[8])
+    template<bool hasSpin>
+    static void push(Body* bodies, const std::int32_t* a, const std::int32_t* b, Real dx, Real dy, Real dz, Real mx, Real my, Real mz)
     {
-        transpose(x[0], x[1], x[2], x[3]);
-        transpose(x[4], x[5], x[6], x[7]);
+        Real d[4] = {dx, dy, dz, zero()}, m[4] = {mx, my, mz, zero()};
+        transpose(d[0], d[1], d[2], d[3]);
+        transpose(m[0], m[1], m[2], m[3]);
         for (int l = 0; l < lanes; ++l)
         {
-            double* body = bodies[index[l]].v;
-            _mm256_store_pd(body, x[l]);
-            _mm256_store_pd(body + 4, x[4 + l]);
+            Body& bodyA = bodies[a[l]];
+            Body& bodyB = bodies[b[l]];
+            _mm256_store_pd(bodyA.v, _mm256_load_pd(bodyA.v) + _mm256_set1_pd(bodyA.invMass)*d[l]);
+            _mm256_store_pd(bodyB.v, _mm256_load_pd(bodyB.v) - _mm256_set1_pd(bodyB.invMass)*d[l]);
+            if (!hasSpin) continue;
+            _mm256_store_pd(bodyA.s, _mm256_load_pd(bodyA.s) + _mm256_set1_pd(bodyA.invSpin)*m[l]);
+            _mm256_store_pd(bodyB.s, _mm256_load_pd(bodyB.s) + _mm256_set1_pd(bodyB.invSpin)*m[l]);
         }
     }
 };

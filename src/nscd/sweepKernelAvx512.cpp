@@ -34,15 +34,6 @@ struct Avx512Lanes
     template<class Mask>
     static Real select(Mask mask, Real a, Real b) { return mask ? a : b; }
 
-    static void prefetch(const Body* bodies, const ContactBlock& block)
-    {
-        for (int l = 0; l < blockLanes; ++l)
-        {
-            __builtin_prefetch(bodies + block.a[l]);
-            __builtin_prefetch(bodies + block.b[l]);
-        }
-    }
-
     /// Transposes eight rows of eight; its own inverse.
     static void transpose(Real (&x)[8])
     {
@@ -67,16 +58,52 @@ struct Avx512Lanes
         }
     }
 
-    static void loadBodies(const Body* bodies, const std::int32_t* index, Real (&x)[8])
+    static void loadRelative(const Body* bodies, const std::int32_t* a, const std::int32_t* b, Relative<Avx512Lanes>& relative)
     {
-        for (int l = 0; l < lanes; ++l) x[l] = _mm512_load_pd(bodies[index[l]].v);
+        const Real sign = _mm512_setr_pd(-1, -1, -1, 1, 1, 1, 1, 1);
+        Real x[8];
+        for (int l = 0; l < lanes; ++l) x[l] = _mm512_load_pd(bodies[a[l]].v) + sign*_mm512_load_pd(bodies[b[l]].v);
         transpose(x);
+        relative = {{x[0], x[1], x[2]}, x[3], {x[4], x[5], x[6]}, x[7]};
     }
 
-    static void storeBodies(Body* bodies, const std::int32_t* index, Real (&x)[8])
+    /// Rows of four of the columns x, y, z, 0.
+    static void rows(Real x, Real y, Real z, __m256d (&row)[8])
     {
-        transpose(x);
-        for (int l = 0; l < lanes; ++l) _mm512_store_pd(bodies[index[l]].v, x[l]);
+        const Real xy0 = _mm512_unpacklo_pd(x, y), xy1 = _mm512_unpackhi_pd(x, y);
+        const Real z0 = _mm512_unpacklo_pd(z, zero()), z1 = _mm512_unpackhi_pd(z, zero());
+        const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11), second = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
+        const Real r02 = _mm512_permutex2var_pd(xy0, first, z0), r13 = _mm512_permutex2var_pd(xy1, first, z1);
+        const Real r46 = _mm512_permutex2var_pd(xy0, second, z0), r57 = _mm512_permutex2var_pd(xy1, second, z1);
+        row[0] = _mm512_castpd512_pd256(r02);
+        row[1] = _mm512_castpd512_pd256(r13);
+        row[2] = _mm512_extractf64x4_pd(r02, 1);
+        row[3] = _mm512_extractf64x4_pd(r13, 1);
+        row[4] = _mm512_castpd512_pd256(r46);
+        row[5] = _mm512_castpd512_pd256(r57);
+        row[6] = _mm512_extractf64x4_pd(r46, 1);
+        row[7] = _mm512_extractf64x4_pd(r57, 1);
+    }
+
+    static void add(double* row, double mobility, __m256d p) { _mm256_store_pd(row, _mm256_load_pd(row) + _mm256_set1_pd(mobility)*p); }
+    static void subtract(double* row, double mobility, __m256d p) { _mm256_store_pd(row, _mm256_load_pd(row) - _mm256_set1_pd(mobility)*p); }
+
+    template<bool hasSpin>
+    static void push(Body* bodies, const std::int32_t* a, const std::int32_t* b, Real dx, Real dy, Real dz, Real mx, Real my, Real mz)
+    {
+        __m256d d[8], m[8];
+        rows(dx, dy, dz, d);
+        if (hasSpin) rows(mx, my, mz, m);
+        for (int l = 0; l < lanes; ++l)
+        {
+            Body& bodyA = bodies[a[l]];
+            Body& bodyB = bodies[b[l]];
+            add(bodyA.v, bodyA.invMass, d[l]);
+            subtract(bodyB.v, bodyB.invMass, d[l]);
+            if (!hasSpin) continue;
+            add(bodyA.s, bodyA.invSpin, m[l]);
+            add(bodyB.s, bodyB.invSpin, m[l]);
+        }
     }
 };
 

@@ -7,6 +7,7 @@
 // MESSAGE_COUNT_FILE names a CSV file for the messages of cold solves, warm steps and sharing out, part by part.
 #include "benchmark/messageCount/messageCount.hpp"
 #include "benchmark/rankedBed/tiledBed.hpp"
+#include "parallel/rankedScene.hpp"
 
 #include <chrono>
 #include <cstdio>

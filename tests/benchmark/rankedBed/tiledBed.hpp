@@ -5,9 +5,10 @@
 // grains only.
 #pragma once
 
-#include "parallel/rankedScene.hpp"
+#include "unit/nscd/scenes.hpp"
 
 #include <fstream>
+#include <random>
 
 namespace scenes
 {

@@ -6,6 +6,7 @@
 // mpirun -np N rankedMemory bed bed.dat tilesX tilesY steps [maxSweeps]: a settled bed, of rankedBed settle
 // mpirun -np N rankedMemory lattice perSide layers steps [maxSweeps]:    a lattice that falls on a floor from the first step on
 #include "benchmark/rankedBed/tiledBed.hpp"
+#include "parallel/rankedScene.hpp"
 
 #include "contactList.hpp"
 
