@@ -88,6 +88,20 @@ struct MixingSums
 /// Moves a history on to what the blocks hold now, which sweeps made of `start`.
 using DifferenceFunction = MixingSums (*)(const ContactBlock* blocks, BlockRange range, const double* start, const MixingHistory& history);
 
+/// The law of a step: b = g/dt where g > deadBand, else 0, and never more than a bias that no velocity reaches.
+struct LawOfStep
+{
+    double deltaT;        ///< [s]
+    double deadBand;      ///< [m]
+    double unreachable;   ///< [m/s]
+};
+
+/// Sets W and bias of a block from the gaps of its lanes. Returns whether a lane is closed, closes in the present motion, or is loaded.
+using LawFunction = bool (*)(const Body* bodies, ContactBlock& block, const double* gap, const LawOfStep& law);
+
+/// Scales the impulses of blocks, makes them admissible in the present tangent planes, and gives them to the bodies, which held none.
+using StartFunction = void (*)(Body* bodies, ContactBlock* blocks, BlockRange range, double scale);
+
 struct SweepKernels
 {
     const char* name;
@@ -98,6 +112,8 @@ struct SweepKernels
     SweepFunction evaluateFrictionless;
     ReplaceFunction replaceImpulses;
     DifferenceFunction addDifferences;
+    LawFunction setLaws;
+    StartFunction startWarm;
 };
 
 } // namespace nscd

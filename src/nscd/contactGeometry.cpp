@@ -36,14 +36,52 @@ void setSlot(ContactList& list, std::size_t slot, const Vec3& n, double gap)
     list.gap[slot] = gap;
 }
 
-void updatePair(ContactList& list, const Scene& scene, std::size_t slot, int a, int b)
+using Lanes = Eigen::Array<double, blockLanes, 1>;
+
+/// Distances of the centers in the lanes of a block and sums of their radii; in lanes that are no pair of grains any that are harmless.
+struct PairLanes
 {
-    Vec3 dx = list.position[a] - list.position[b];
-    for (int k = 0; k < 3; ++k) dx[k] -= list.image[slot][k]*scene.box.length[k];
-    const double sum = list.radius[a] + list.radius[b];
-    const double distance = dx.norm();
-    if (!(distance > 1e-12*sum)) refuseCoincident(list, a, b);
-    setSlot(list, slot, dx/distance, distance - sum);
+    Lanes x[3];
+    Lanes radii;
+    bool isPair[blockLanes];
+};
+
+PairLanes gatherPairs(const ContactList& list, const Scene& scene, std::size_t k)
+{
+    const ContactBlock& block = list.blocks[k];
+    PairLanes pairs;
+    for (int lane = 0; lane < blockLanes; ++lane)
+    {
+        const std::size_t slot = k*blockLanes + lane;
+        const int a = block.a[lane], b = block.b[lane];
+        pairs.isPair[lane] = list.wall[slot] < 0 && a != list.staticBody();
+        Vec3 dx = Vec3::UnitX();
+        pairs.radii[lane] = 0.0;
+        if (pairs.isPair[lane])
+        {
+            dx = list.position[a] - list.position[b];
+            for (int axis = 0; axis < 3; ++axis) dx[axis] -= list.image[slot][axis]*scene.box.length[axis];
+            pairs.radii[lane] = list.radius[a] + list.radius[b];
+        }
+        for (int axis = 0; axis < 3; ++axis) pairs.x[axis][lane] = dx[axis];
+    }
+    return pairs;
+}
+
+/// Normals and gaps of the pairs of a block, all lanes at once.
+void updatePairs(ContactList& list, const Scene& scene, std::size_t k)
+{
+    const PairLanes pairs = gatherPairs(list, scene, k);
+    const Lanes distance = (pairs.x[0]*pairs.x[0] + pairs.x[1]*pairs.x[1] + pairs.x[2]*pairs.x[2]).sqrt();
+    const Lanes inverse = 1.0/distance.max(std::numeric_limits<double>::min()), gap = distance - pairs.radii;
+    ContactBlock& block = list.blocks[k];
+    for (int lane = 0; lane < blockLanes; ++lane)
+    {
+        if (!pairs.isPair[lane]) continue;
+        if (!(distance[lane] > 1e-12*pairs.radii[lane])) refuseCoincident(list, block.a[lane], block.b[lane]);
+        for (int axis = 0; axis < 3; ++axis) block.n[axis][lane] = pairs.x[axis][lane]*inverse[lane];
+        list.gap[k*blockLanes + lane] = gap[lane];
+    }
 }
 
 void updateWall(ContactList& list, const Scene& scene, std::size_t slot, int a)
@@ -82,14 +120,8 @@ void suppressSharedEdges(ContactList& list, const Scene& scene, const int* first
 
 void updateGeometry(ContactList& list, const Scene& scene)
 {
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
-    {
-        const ContactBlock& block = list.blocks[slot/blockLanes];
-        const int a = block.a[slot % blockLanes];
-        if (a == list.staticBody()) continue;
-        if (list.wall[slot] >= 0) updateWall(list, scene, slot, a);
-        else updatePair(list, scene, slot, a, block.b[slot % blockLanes]);
-    }
+    for (std::size_t k = 0; k < list.blocks.size(); ++k) updatePairs(list, scene, k);
+    for (std::size_t slot : list.slotsOfWalls) updateWall(list, scene, slot, list.blocks[slot/blockLanes].a[slot % blockLanes]);
     for (std::size_t group = 0; group + 1 < list.wallSlotStart.size(); ++group)
     {
         const int* slots = list.wallSlots.data();

@@ -229,6 +229,10 @@ ContactList buildContactList(const Scene& scene, const std::vector<double>& reac
     groupWallSlots(list, scene, candidates.inner, inner);
     list.interfaceBlock = list.blocks.size();
     appendBlocks(list, scene, candidates.interface, interface);
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        if (list.wall[slot] >= 0) list.slotsOfWalls.push_back(static_cast<std::uint32_t>(slot));
+    }
     return list;
 }
 

@@ -48,6 +48,7 @@ struct ContactList
     std::vector<std::uint32_t> awake;       ///< blocks that can matter in this step, ascending; set by prepareSlots
 
     std::size_t candidates = 0;             ///< on this rank
+    std::vector<std::uint32_t> slotsOfWalls;  ///< all contacts with walls, ascending
     std::vector<int> wallSlots;             ///< slots of outlined walls, grouped by body, for the suppression of ghost contacts
     std::vector<int> wallSlotStart;         ///< group k is wallSlots[wallSlotStart[k] .. wallSlotStart[k+1])
 

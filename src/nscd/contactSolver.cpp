@@ -15,9 +15,12 @@ namespace nscd
 namespace
 {
 
-/// Limits of a polished solution per unit of motion, and at least: a step then takes about a decade off the noise.
+/// Limits of a polished solution per unit of motion: a step then takes about a decade off the noise.
 constexpr double polishPerMotion = 10.0;
-constexpr double finestPolish = 3e-3;
+/// The finest limits that polishing asks for: rms defect in units of the speed scale, largest defect times dt in d. Both are
+/// absolute: who asks for a finer tolerance need not be polished further.
+constexpr double finestRms = 3e-5;
+constexpr double finestDisplacement = 1e-6;
 
 DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& other)
 {
@@ -29,10 +32,9 @@ DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& 
 
 } // namespace
 
-bool StopRule::isWithin(const DefectSums& sums, double factor) const
+bool areWithin(const DefectSums& sums, double rmsLimit, double maxLimit)
 {
-    const double rms2 = factor*rmsLimit*factor*rmsLimit, max2 = factor*maxLimit*factor*maxLimit;
-    return sums.sumSquares <= rms2*std::max(1.0, sums.active) && sums.maxSquare <= max2;
+    return sums.sumSquares <= rmsLimit*rmsLimit*std::max(1.0, sums.active) && sums.maxSquare <= maxLimit*maxLimit;
 }
 
 double rms(const DefectSums& sums) { return std::sqrt(sums.sumSquares/std::max(1.0, sums.active)); }
@@ -41,8 +43,10 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
 {
     const double lengthRate = problem.diameter/problem.deltaT;
     const double speed = std::max({problem.speedScale, 1e-3*rms(first), 1e-3*settings.deadBand*lengthRate});
-    const double polish = std::min(1.0, std::max(finestPolish, polishPerMotion*problem.motion));
-    return {settings.tolerance*speed, settings.displacementTolerance*lengthRate, speed, polish};
+    const double polish = std::min(1.0, polishPerMotion*problem.motion);
+    const auto polished = [polish](double limit, double finest) { return std::min(limit, std::max(finest, polish*limit)); };
+    const double rmsLimit = settings.tolerance*speed, maxLimit = settings.displacementTolerance*lengthRate;
+    return {rmsLimit, maxLimit, speed, polished(rmsLimit, finestRms*speed), polished(maxLimit, finestDisplacement*lengthRate)};
 }
 
 BlockRange ContactProblem::inner() const

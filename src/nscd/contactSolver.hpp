@@ -47,22 +47,22 @@ DefectSums sweepActive(ContactProblem& problem);
 /// Replaces the impulses of the active blocks (see ReplaceFunction) and moves the velocities along, on all ranks.
 void replaceImpulses(ContactProblem& problem, std::vector<double>& target);
 
+bool areWithin(const DefectSums& sums, double rmsLimit, double maxLimit);
+
 /// Stop rule, absolute (grains.md sections 2 and 9): rms defect <= tolerance vs and largest defect dt <= displacementTolerance d, with
 /// vs = max(speed scale of the forces, 1e-3 rms defect of the first pass, 1e-3 dead band/dt).
 /// What the rule leaves of defects is the noise of a bed at rest: grains keep moving by it, contacts leave the dead band, and the
-/// bed creeps. So a bed that hardly moves is polished: limits shrink with its motion, down to 3e-3 of themselves, for some more sweeps.
+/// bed creeps. So a bed that hardly moves is polished: limits shrink with its motion, down to 3e-5 vs and 1e-6 d, for some more sweeps.
 struct StopRule
 {
-    double rmsLimit;
-    double maxLimit;
+    double rmsLimit;       ///< [m/s]
+    double maxLimit;       ///< [m/s]
     double speedScale;
-    double polish;       ///< factor of both limits for a polished solution
+    double polishedRms;    ///< limits of a polished solution [m/s]
+    double polishedMax;
 
-    bool isMet(const DefectSums& sums) const { return isWithin(sums, 1.0); }
-    bool isPolished(const DefectSums& sums) const { return isWithin(sums, polish); }
-
-private:
-    bool isWithin(const DefectSums& sums, double factor) const;
+    bool isMet(const DefectSums& sums) const { return areWithin(sums, rmsLimit, maxLimit); }
+    bool isPolished(const DefectSums& sums) const { return areWithin(sums, polishedRms, polishedMax); }
 };
 
 /// `first` are the defects of the first pass: the approach speeds the solve has to deal with.

@@ -30,53 +30,6 @@ void setBody(Body& body, const Vec3& v, double invMass, const Vec3& s, double in
     body.invSpin = invSpin;
 }
 
-/// Turns last step's impulse into this step's tangent plane and friction disc.
-Vec3 warmStart(const Vec3& r, const Vec3& n, double friction)
-{
-    const double rn = r.dot(n);
-    if (!(rn > 0.0)) return Vec3::Zero();
-    const Vec3 t = r - rn*n;
-    const double size = t.norm();
-    return rn*n + (size > friction*rn ? Vec3(t*(friction*rn/size)) : t);
-}
-
-/// Sets W and bias of a block's slots. Returns whether the block can matter in this step.
-bool setLaws(ContactList& list, std::size_t k, double deltaT, double deadBand)
-{
-    ContactBlock& block = list.blocks[k];
-    bool isAwake = false;
-    for (int lane = 0; lane < blockLanes; ++lane)
-    {
-        const std::size_t slot = k*blockLanes + lane;
-        if (!list.isUsed(slot)) continue;
-        const Body& a = list.bodies[block.a[lane]];
-        const Body& b = list.bodies[block.b[lane]];
-        const double wn = a.invMass + b.invMass;
-        block.invWn[lane] = 1.0/wn;
-        block.invWt[lane] = 1.0/(wn + a.invSpin + b.invSpin);
-        // A gap beyond the band may close to nothing, not to the band's edge: there, noise would open the contact again.
-        block.bias[lane] = list.gap[slot] <= deadBand ? 0.0
-            : list.gap[slot] < unreachable*deltaT ? list.gap[slot]/deltaT : unreachable;
-        double un = 0.0;
-        for (int axis = 0; axis < 3; ++axis) un += (a.v[axis] - b.v[axis])*block.n[axis][lane];
-        isAwake = isAwake || block.bias[lane] == 0.0 || un + block.bias[lane] < 0.0 || impulse(list, slot) != Vec3::Zero();
-    }
-    return isAwake;
-}
-
-/// Gives a slot the impulse it carried in the last step, if any.
-void startWarm(ContactList& list, std::size_t slot, double impulseScale)
-{
-    const Vec3 old = impulse(list, slot);
-    if (!list.isUsed(slot) || old == Vec3::Zero()) return;
-    ContactBlock& block = list.blocks[slot/blockLanes];
-    const int lane = slot % blockLanes;
-    const Vec3 n = normal(list, slot);
-    const Vec3 r = warmStart(impulseScale*old, n, block.friction[lane]);
-    setImpulse(list, slot, r);
-    applyImpulse(list.bodies[block.a[lane]], list.bodies[block.b[lane]], n.data(), r.data());
-}
-
 } // namespace
 
 void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT)
@@ -109,17 +62,15 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
     list.halo.giveBodies(list.bodies);
 }
 
-void prepareSlots(ContactList& list, double deltaT, double deadBand, double impulseScale)
+void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT, double deadBand, double impulseScale)
 {
+    const LawOfStep law{deltaT, deadBand, unreachable};
     list.awake.clear();
     for (std::size_t k = 0; k < list.blocks.size(); ++k)
     {
-        if (setLaws(list, k, deltaT, deadBand)) list.awake.push_back(static_cast<std::uint32_t>(k));
+        if (kernels.setLaws(list.bodies.data(), list.blocks[k], &list.gap[k*blockLanes], law)) list.awake.push_back(static_cast<std::uint32_t>(k));
     }
-    for (std::uint32_t k : list.awake)
-    {
-        for (int lane = 0; lane < blockLanes; ++lane) startWarm(list, k*blockLanes + lane, impulseScale);
-    }
+    kernels.startWarm(list.bodies.data(), list.blocks.data(), {list.awake.data(), list.awake.size()}, impulseScale);
     list.halo.takeVelocities(list.bodies);
 }
 
@@ -127,24 +78,25 @@ ContactForces sumContactForces(const ContactList& list, const Scene& scene, doub
 {
     std::vector<Vec3> force(list.bodies.size(), Vec3::Zero()), torque = force;
     std::vector<Vec3> wall(scene.walls.patches.size(), Vec3::Zero());
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    const auto addLane = [&](const ContactBlock& block, int lane, int region)
     {
-        if (!list.isUsed(slot)) continue;
-        const Vec3 r = impulse(list, slot);
-        if (r == Vec3::Zero()) continue;
-        const ContactBlock& block = list.blocks[slot/blockLanes];
-        const Vec3 onA = r/deltaT;
-        const Vec3 moment = normal(list, slot).cross(onA);
-        const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
+        const Vec3 onA = Vec3(block.r[0][lane], block.r[1][lane], block.r[2][lane])/deltaT;
+        if (onA == Vec3::Zero()) return;
+        const Vec3 moment = Vec3(block.n[0][lane], block.n[1][lane], block.n[2][lane]).cross(onA);
+        const int a = block.a[lane], b = block.b[lane];
         force[a] += onA;
         torque[a] -= list.radius[a]*moment;
-        if (list.wall[slot] >= 0)
+        if (region >= 0)
         {
-            wall[scene.walls.regions[list.wall[slot]].patch] -= onA;
-            continue;
+            wall[scene.walls.regions[region].patch] -= onA;
+            return;
         }
         force[b] -= onA;
         torque[b] -= list.radius[b]*moment;
+    };
+    for (std::uint32_t k : list.awake)
+    {
+        for (int lane = 0; lane < blockLanes; ++lane) addLane(list.blocks[k], lane, list.wall[std::size_t(k)*blockLanes + lane]);
     }
     list.halo.take(force);
     list.halo.take(torque);
@@ -180,6 +132,21 @@ void copyVelocities(const ContactList& list, Grains& grains)
     }
 }
 
+namespace
+{
+
+/// exp(turn/2) as a quaternion. The series are exact to round-off where they are used.
+Quaternion rotationBy(const Vec3& turn)
+{
+    const double h = 0.25*turn.squaredNorm();  // square of half the angle
+    if (h > 2.5e-3) return Quaternion(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
+    const double cosine = 1.0 - h/2.0*(1.0 - h/12.0*(1.0 - h/30.0*(1.0 - h/56.0)));
+    const double sine = 0.5*(1.0 - h/6.0*(1.0 - h/20.0*(1.0 - h/42.0*(1.0 - h/72.0))));
+    return Quaternion(cosine, sine*turn[0], sine*turn[1], sine*turn[2]);
+}
+
+} // namespace
+
 double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, double deltaT, bool isRotating)
 {
     double largest2 = 0.0;
@@ -192,30 +159,31 @@ double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, dou
         grains.position[i] = box.wrap(list.position[body]);
         if (!isRotating) continue;
         const Vec3 turn = deltaT*Vec3(list.bodies[body].s)/grains.radius[i];
-        const double angle = turn.norm();
-        if (angle > 0.0)
-        {
-            const Quaternion rotation(Eigen::AngleAxisd(angle, turn/angle));
-            grains.orientation[i] = (rotation*grains.orientation[i]).normalized();
-        }
+        if (turn != Vec3::Zero()) grains.orientation[i] = (rotationBy(turn)*grains.orientation[i]).normalized();
     }
     list.halo.give(list.position);
     return std::sqrt(list.halo.max(largest2));
 }
 
-OverlapStatistics measureOverlap(const ContactList& list, double diameter)
+OverlapStatistics measureOverlap(const ContactList& list)
 {
-    double deepest = 0.0, sums[2] = {0.0, 0.0};
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    using Lanes = Eigen::Array<double, blockLanes, 1>;
+    const auto lanes = [](const double* first) { return Eigen::Map<const Lanes>(first); };
+    Lanes deepest = Lanes::Zero(), deepestLoaded = Lanes::Zero(), sum = Lanes::Zero(), count = Lanes::Zero();
+    for (std::size_t k = 0; k < list.blocks.size(); ++k)
     {
-        if (!list.isUsed(slot) || impulse(list, slot) == Vec3::Zero()) continue;
-        const double depth = std::max(0.0, -list.gap[slot])/diameter;
-        deepest = std::max(deepest, depth);
-        sums[0] += depth;
-        sums[1] += 1.0;
+        const ContactBlock& block = list.blocks[k];
+        const Lanes depth = (-lanes(&list.gap[k*blockLanes])).max(0.0);
+        const Lanes isLoaded = (lanes(block.r[0]).abs() + lanes(block.r[1]).abs() + lanes(block.r[2]).abs() > 0.0).cast<double>();
+        deepest = deepest.max(depth);
+        deepestLoaded = deepestLoaded.max(depth*isLoaded);
+        sum += depth*isLoaded;
+        count += isLoaded;
     }
-    list.halo.sumAndMax(sums, deepest);
-    return {deepest, sums[1] > 0.0 ? sums[0]/sums[1] : 0.0};
+    double sums[2] = {sum.sum(), count.sum()}, maxima[2] = {deepest.maxCoeff(), deepestLoaded.maxCoeff()};
+    list.halo.sum(sums, 2);
+    list.halo.max(maxima, 2);
+    return {maxima[0], maxima[1], sums[1] > 0.0 ? sums[0]/sums[1] : 0.0};
 }
 
 bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, double threshold, double deadBand)

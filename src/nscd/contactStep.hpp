@@ -19,7 +19,7 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
 /// A block sleeps if none of its contacts carries an impulse, is closed, or closes in the free motion.
 /// Bias: (g - e)/dt where g > e, zero where |g| <= e or the gap is smaller (overlap is not corrected through velocity).
 /// Warm start: impulses times impulseScale = dt_new/dt_old, tangential part turned into the new tangent plane and friction disc.
-void prepareSlots(ContactList& list, double deltaT, double deadBand, double impulseScale);
+void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT, double deadBand, double impulseScale);
 
 /// Sums the impulses: force on each own grain [N], torque on it [N m], force of all ranks' grains on each wall patch [N].
 struct ContactForces
@@ -40,18 +40,19 @@ void copyVelocities(const ContactList& list, Grains& grains);
 /// Returns the largest displacement [m].
 double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, double deltaT, bool isRotating);
 
-/// Overlap of the contacts that carry an impulse, in mean diameters.
+/// Depths [m] of overlaps: the deepest of all candidates; largest and mean of the contacts that carry an impulse.
 struct OverlapStatistics
 {
+    double deepest = 0.0;
     double max = 0.0;
     double mean = 0.0;
 };
-OverlapStatistics measureOverlap(const ContactList& list, double diameter);
+OverlapStatistics measureOverlap(const ContactList& list);
 
-/// Pushes grains apart whose overlap exceeds the tolerance, by displacements that give no velocity: Gauss-Seidel on
+/// Pushes grains apart, the `deepest` of whose overlaps exceeds `tolerance`, by displacements that give no velocity: Gauss-Seidel on
 /// n.(dx_a - dx_b) >= target - g for all near contacts, mobilities 1/m. Positions and geometry of the list are updated.
-/// Returns the sweeps made: zero when no overlap exceeds `tolerance` [m].
-int correctOverlaps(ContactList& list, const Scene& scene, double tolerance, double deadBand);
+/// Returns the sweeps made. Units: m
+int correctOverlaps(ContactList& list, const Scene& scene, double deepest, double tolerance, double deadBand);
 
 /// Sets the bias of the second velocity solve: u_n + e u_n^- >= 0 for closed contacts whose free speed |u_n^-| exceeds the
 /// threshold, u_n >= 0 for the other closed ones. `freeBodies` are the velocities before contact. Returns whether any rebounds.

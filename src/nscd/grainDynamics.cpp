@@ -75,7 +75,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     {
         const Stopwatch watch(times.buildContacts);
         setFreeVelocities(list, grains, external, deltaT);
-        prepareSlots(list, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
+        prepareSlots(list, kernels, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
         impulseDeltaT = deltaT;
     }
     const Stopwatch watch(times.solveContacts);
@@ -135,17 +135,16 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
 void GrainDynamics::Implementation::correctPositions(StepReport& report)
 {
     updateGeometry(list, scene());
-    report.correctionSweeps = correctOverlaps(list, scene(), settings.overlapTolerance*diameter, deadBand());
-    if (report.correctionSweeps > 0)
+    OverlapStatistics overlap = measureOverlap(list);
+    const double tolerance = settings.overlapTolerance*diameter;
+    if (overlap.deepest > tolerance)
     {
-        for (int body = 0; body < list.owned(); ++body)
-        {
-            grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
-        }
+        report.correctionSweeps = correctOverlaps(list, scene(), overlap.deepest, tolerance, deadBand());
+        for (int body = 0; body < list.owned(); ++body) grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
+        overlap = measureOverlap(list);
     }
-    const OverlapStatistics overlap = measureOverlap(list, diameter);
-    report.overlapMax = overlap.max;
-    report.overlapMean = overlap.mean;
+    report.overlapMax = overlap.max/diameter;
+    report.overlapMean = overlap.mean/diameter;
 }
 
 void GrainDynamics::beginStep(double deltaT)

@@ -25,16 +25,6 @@ struct Push
     double size = 0.0;
 };
 
-double deepestOverlap(const ContactList& list)
-{
-    double deepest = 0.0;
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
-    {
-        if (list.isUsed(slot)) deepest = std::max(deepest, -list.gap[slot]);
-    }
-    return list.halo.max(deepest);
-}
-
 /// Contacts of the slots first..last that overlap, or that a push of the deepest overlap could close.
 std::vector<Push> collectPushes(const ContactList& list, std::size_t first, std::size_t last, double deepest, double target)
 {
@@ -93,11 +83,8 @@ double sweepInterface(const ContactList& list, std::vector<Push>& pushes, const 
 
 } // namespace
 
-int correctOverlaps(ContactList& list, const Scene& scene, double tolerance, double deadBand)
+int correctOverlaps(ContactList& list, const Scene& scene, double deepest, double tolerance, double deadBand)
 {
-    const double deepest = deepestOverlap(list);
-    if (!(deepest > tolerance)) return 0;
-
     const std::vector<double> mobility = pushMobility(list);
     std::vector<Vec3> shift(list.bodies.size(), Vec3::Zero());
     const std::size_t interface = list.interfaceBlock*blockLanes;

@@ -28,9 +28,10 @@ SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings)
         threshold *= 0.5;
     }
     while (!report.converged && visits < maxVisits);
-    if (report.converged && rule.polish < 1.0)
+    const double polished = std::min({threshold, rule.polishedRms, rule.polishedMax});
+    if (report.converged && polished < threshold)
     {
-        visits += queue.work(queue.slots(), rule.polish*threshold, used*static_cast<std::size_t>(settings.polishSweeps));
+        visits += queue.work(queue.slots(), polished, used*static_cast<std::size_t>(settings.polishSweeps));
         reportResidual(report, rule, residual(problem));
     }
     report.sweeps = static_cast<int>((visits + used - 1)/used);

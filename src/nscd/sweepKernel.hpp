@@ -5,41 +5,13 @@
 // Everything is in an anonymous namespace, so that no function built for a wider set can leak into the portable program.
 #pragma once
 
-#include "contactBlock.hpp"
 #include "mixingKernel.hpp"
+#include "startKernel.hpp"
 
 namespace nscd
 {
 namespace
 {
-
-/// What a contact needs to know of its two bodies, one number per lane.
-template<class V>
-struct Relative
-{
-    using Real = typename V::Real;
-    Real v[3];    ///< of A minus that of B
-    Real mass;    ///< sum of 1/m
-    Real s[3];    ///< sum of the spin variables
-    Real spin;    ///< sum of 1/(kappa m)
-};
-
-/// Moves the bodies of each lane by impulses d on A, -d on B at contacts with normal n: v by d/m, s = R omega by -(n x d)/(kappa m).
-template<class V, bool isFrictional>
-inline void applyImpulses
-(
-    Body* bodies, const ContactBlock& block, int first,
-    typename V::Real nx, typename V::Real ny, typename V::Real nz, typename V::Real dx, typename V::Real dy, typename V::Real dz
-)
-{
-    using Real = typename V::Real;
-    if (isFrictional)
-    {
-        const Real mx = nz*dy - ny*dz, my = nx*dz - nz*dx, mz = ny*dx - nx*dy;
-        V::template push<true>(bodies, block.a + first, block.b + first, dx, dy, dz, mx, my, mz);
-    }
-    else V::template push<false>(bodies, block.a + first, block.b + first, dx, dy, dz, V::zero(), V::zero(), V::zero());
-}
 
 /// Local solution of one contact per lane (grains.md section 1): with own impulse r, relative velocity u at the contact,
 /// p_n = max(0, r_n - (u_n + b)/W_nn), p_t = Proj_{mu p_n}(r_t - u_t/W_tt). Exact, since W is diagonal for spheres and discs.
@@ -103,24 +75,6 @@ inline void solveLanes(Body* bodies, ContactBlock& block, int first, typename V:
     applyImpulses<V, isFrictional>(bodies, block, first, nx, ny, nz, dx, dy, dz);
 }
 
-/// Blocks and bodies that a pass will come to are asked for this many blocks ahead: without, a pass over more than the caches hold
-/// takes a third longer.
-constexpr std::size_t blocksAhead = 12, bodiesAhead = 6;
-
-inline void prefetch(const Body* bodies, const ContactBlock* blocks, BlockRange range, std::size_t k)
-{
-    if (k + blocksAhead < range.count)
-    {
-        const char* lines = reinterpret_cast<const char*>(&blocks[range[k + blocksAhead]]);
-        for (std::size_t line = 0; line < sizeof(ContactBlock); line += 64) __builtin_prefetch(lines + line);
-    }
-    if (k + bodiesAhead < range.count)
-    {
-        const ContactBlock& block = blocks[range[k + bodiesAhead]];
-        for (int l = 0; l < blockLanes; ++l) __builtin_prefetch(bodies + block.b[l]);
-    }
-}
-
 template<class V, bool isFrictional, bool isUpdate>
 DefectSums passOverBlocks(Body* bodies, ContactBlock* blocks, BlockRange range)
 {
@@ -154,15 +108,7 @@ inline void replaceLanes(Body* bodies, ContactBlock& block, int first, double* t
 
     const Real nx = V::load(block.n[0] + first), ny = V::load(block.n[1] + first), nz = V::load(block.n[2] + first);
     Real px = V::load(target + first), py = V::load(target + blockLanes + first), pz = V::load(target + 2*blockLanes + first);
-    const Real qn = px*nx + py*ny + pz*nz;
-    const Real pn = V::max(V::zero(), qn);
-    const Real tx = px - qn*nx, ty = py - qn*ny, tz = pz - qn*nz;
-    const Real limit = V::load(block.friction + first)*pn;
-    const Real t2 = tx*tx + ty*ty + tz*tz;
-    const Real scale = V::select(t2 > limit*limit, limit/V::sqrt(V::max(t2, V::tiny())), V::one());
-    px = pn*nx + scale*tx;
-    py = pn*ny + scale*ty;
-    pz = pn*nz + scale*tz;
+    admitImpulses<V>(nx, ny, nz, V::load(block.friction + first), px, py, pz);
     const Real dx = px - V::load(block.r[0] + first), dy = py - V::load(block.r[1] + first), dz = pz - V::load(block.r[2] + first);
     applyImpulses<V, true>(bodies, block, first, nx, ny, nz, dx, dy, dz);
 
@@ -191,7 +137,8 @@ template<class V>
 constexpr SweepKernels makeKernels(const char* name)
 {
     return {name, V::lanes, passOverBlocks<V, true, true>, passOverBlocks<V, false, true>,
-            passOverBlocks<V, true, false>, passOverBlocks<V, false, false>, replaceImpulses<V>, addDifferences};
+            passOverBlocks<V, true, false>, passOverBlocks<V, false, false>, replaceImpulses<V>, addDifferences,
+            setLaws<V>, startWarm<V>};
 }
 
 } // namespace

@@ -23,6 +23,8 @@ struct Avx2Lanes
 
     static Real zero() { return _mm256_setzero_pd(); }
     static Real one() { return _mm256_set1_pd(1.0); }
+    static Real all(double a) { return _mm256_set1_pd(a); }
+    static Real min(Real a, Real b) { return _mm256_min_pd(a, b); }
     static Real tiny() { return _mm256_set1_pd(1e-300); }
     static Real load(const double* p) { return _mm256_loadu_pd(p); }
     static void store(double* p, Real x) { _mm256_storeu_pd(p, x); }

@@ -26,6 +26,8 @@ struct Avx512Lanes
 
     static Real zero() { return _mm512_setzero_pd(); }
     static Real one() { return _mm512_set1_pd(1.0); }
+    static Real all(double a) { return _mm512_set1_pd(a); }
+    static Real min(Real a, Real b) { return _mm512_min_pd(a, b); }
     static Real tiny() { return _mm512_set1_pd(1e-300); }
     static Real load(const double* p) { return _mm512_loadu_pd(p); }
     static void store(double* p, Real x) { _mm512_storeu_pd(p, x); }

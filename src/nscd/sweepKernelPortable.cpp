@@ -22,6 +22,8 @@ struct PairLanes
 
     static Real zero() { return Real{0.0, 0.0}; }
     static Real one() { return Real{1.0, 1.0}; }
+    static Real all(double a) { return Real{a, a}; }
+    static Real min(Real a, Real b) { return a < b ? a : b; }
     static Real tiny() { return Real{1e-300, 1e-300}; }
     static Real load(const double* p)
     {

@@ -61,7 +61,7 @@ struct FrozenProblem
         list = nscd::buildContactList(parts, reach, 2.0*radius, serial);
         nscd::updateGeometry(list, parts);
         nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, scene.g, deltaT), deltaT);
-        nscd::prepareSlots(list, deltaT, settings.deadBand*2.0*radius, 1.0);
+        nscd::prepareSlots(list, nscd::chooseKernels("auto"), deltaT, settings.deadBand*2.0*radius, 1.0);
     }
 
     nscd::BlockRange active() const { return {list.awake.data(), list.awake.size()}; }

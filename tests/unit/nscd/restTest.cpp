@@ -19,7 +19,7 @@ void expectRest(const Scene& scene)
 {
     auto dynamics = scene.build(nscd::ContactSettings());
     for (int k = 0; k < 500; ++k) step(dynamics, scene.g, deltaT);
-    for (int k = 0; k < 1000; ++k) stepDamped(dynamics, scene.g, deltaT);
+    for (int k = 0; k < 2000; ++k) stepDamped(dynamics, scene.g, deltaT);
     for (int k = 0; k < 200; ++k) step(dynamics, scene.g, deltaT);
 
     const nscd::Grains before = dynamics.grains();

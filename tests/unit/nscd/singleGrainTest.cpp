@@ -39,7 +39,7 @@ std::vector<double> bouncePeaks(const Scene& scene, double deltaT, double& restT
         step(dynamics, scene.g, deltaT);
         const double v = dynamics.grains().velocity[0][2];
         if (before > 0.0 && v <= 0.0 && peaks.size() < 3) peaks.push_back(dynamics.grains().position[0][2] - 0.1);
-        const bool isResting = v == 0.0 && before == 0.0;
+        const bool isResting = std::abs(v) < 1e-12 && std::abs(before) < 1e-12;  // round-off of a fused product
         if (isResting && restTime < 0.0) restTime = k*deltaT;
         if (!isResting) restTime = -1.0;
         before = v;
