@@ -17,10 +17,9 @@ namespace
 
 /// Limits of a polished solution per unit of motion: a step then takes about a decade off the noise.
 constexpr double polishPerMotion = 10.0;
-/// The finest limits that polishing asks for: rms defect in units of the speed scale, largest defect times dt in d. Both are
-/// absolute: who asks for a finer tolerance need not be polished further.
+/// The finest rms defect that polishing asks for, in units of the speed scale: whatever the tolerance. A largest defect is not asked for:
+/// a single grain that rolls on a bed at rest would have the whole bed polished in each step.
 constexpr double finestRms = 3e-5;
-constexpr double finestDisplacement = 1e-6;
 
 DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& other)
 {
@@ -44,9 +43,8 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
     const double lengthRate = problem.diameter/problem.deltaT;
     const double speed = std::max({problem.speedScale, 1e-3*rms(first), 1e-3*settings.deadBand*lengthRate});
     const double polish = std::min(1.0, polishPerMotion*problem.motion);
-    const auto polished = [polish](double limit, double finest) { return std::min(limit, std::max(finest, polish*limit)); };
-    const double rmsLimit = settings.tolerance*speed, maxLimit = settings.displacementTolerance*lengthRate;
-    return {rmsLimit, maxLimit, speed, polished(rmsLimit, finestRms*speed), polished(maxLimit, finestDisplacement*lengthRate)};
+    const double rmsLimit = settings.tolerance*speed, polishedRms = std::max(polish*rmsLimit, finestRms*speed);
+    return {rmsLimit, settings.displacementTolerance*lengthRate, speed, std::min(rmsLimit, polishedRms)};
 }
 
 BlockRange ContactProblem::inner() const
