@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The five lines of src/nscd/README.md, from an empty scene to a settled box.
+#include "sceneParts.hpp"
+
+#include <gtest/gtest.h>
+
+TEST(Readme, fiveLinesSettleABox)
+{
+#include "nscdReadme.inc"
+    const nscd::Grains& settled = dynamics.grains();
+    ASSERT_EQ(settled.size(), 512u);
+    double mass = 0.0, top = 0.0;
+    for (std::size_t i = 0; i < settled.size(); ++i)
+    {
+        mass += settled.mass[i];
+        top = std::max(top, settled.position[i].z() + settled.radius[i]);
+        EXPECT_TRUE((settled.position[i].array() > 0.0).all() && (settled.position[i].array() < 0.1).all()) << i;
+    }
+    const double weight = 9.81*mass;
+    EXPECT_LT(nscd::kineticEnergy(settled), 1e-6*weight*0.01);
+    EXPECT_NEAR(dynamics.wallForce()[0].z(), -weight, 1e-3*weight);
+    // It fell from a lattice 0.1 m high at a solid fraction of 0.27 to a packing at 0.55 to 0.64 in its middle.
+    const double solid = nscd::totalVolume(settled)/(0.1*0.1*top);
+    EXPECT_GT(solid, 0.45);
+    EXPECT_LT(solid, 0.64);
+}
