@@ -61,7 +61,7 @@ public:
         char* end = nullptr;
         const std::size_t length = std::strspn(at_, "0123456789+-.eE");
         const double value = std::strtod(at_, &end);
-        if (length == 0 || end != at_ + length || !std::isfinite(value)) failHere(problem);
+        if (length == 0 || end != at_ + length || !std::isfinite(value)) failUnexpected(problem);
         at_ = end;
         return value;
     }
@@ -80,8 +80,11 @@ public:
     {
         const std::string name = std::filesystem::path(path_).filename();
         const std::string word(at_, std::min<std::size_t>(std::strcspn(at_, " \t\r\n()"), 40));
-        fail({{path_, line_, name}, isAtEnd() ? "is cut short" : problem, word, listLayout, {}});
+        fail({{path_, line_, name}, problem, word, listLayout, {}});
     }
+
+    /// Something else was to come here.
+    [[noreturn]] void failUnexpected(const std::string& problem) const { failHere(isAtEnd() ? "is cut short" : problem); }
 
 private:
     const char* at_;
@@ -135,15 +138,15 @@ std::vector<nscd::Vec3> readPositionsFile(const std::string& path, const Place& 
     if (!scanner.take('('))
     {
         stated = scanner.number("does not begin with a list");
-        if (!scanner.take('(')) scanner.failHere("does not begin with a list");
+        if (!scanner.take('(')) scanner.failUnexpected("does not begin with a list");
     }
     std::vector<nscd::Vec3> positions;
     while (!scanner.take(')'))
     {
-        if (!scanner.take('(')) scanner.failHere("holds something that is no position");
+        if (!scanner.take('(')) scanner.failUnexpected("holds something that is no position");
         nscd::Vec3 x;
         for (int k = 0; k < 3; ++k) x[k] = scanner.number("holds a position whose coordinate is not a finite number");
-        if (!scanner.take(')')) scanner.failHere("holds a position without three coordinates");
+        if (!scanner.take(')')) scanner.failUnexpected("holds a position without three coordinates");
         positions.push_back(x);
     }
     scanner.skipBlanks();

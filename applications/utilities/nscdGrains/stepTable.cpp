@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Writing report.csv: the table of columns, and rows in its order.
+#include "numberText.hpp"
 #include "stepTable.hpp"
 
 #include "completeFile.hpp"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -91,12 +91,7 @@ StepTable::StepTable(const std::string& path, bool goesOn, double keepUpTo)
 void StepTable::write(const StepRow& row)
 {
     errno = 0;
-    file_ << lineOf([&](const Column& column)
-    {
-        char text[32];
-        std::snprintf(text, sizeof(text), "%.17g", column.value(row));
-        return std::string(text);
-    }) << '\n' << std::flush;
+    file_ << lineOf([&](const Column& column) { return exact(column.value(row)); }) << '\n' << std::flush;
     if (!file_) nscd::failToWrite(path_);
 }
 

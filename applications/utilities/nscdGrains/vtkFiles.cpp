@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Writing VTK's XML files.
+#include "numberText.hpp"
 #include "vtkFiles.hpp"
 
 #include "completeFile.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <stdexcept>
 
@@ -24,15 +24,6 @@ template<> struct VtkType<double> { static constexpr const char* name = "Float64
 template<> struct VtkType<Vec3> { static constexpr const char* name = "Float64"; static constexpr int components = 3; };
 template<> struct VtkType<int> { static constexpr const char* name = "Int32"; static constexpr int components = 1; };
 template<> struct VtkType<std::int64_t> { static constexpr const char* name = "Int64"; static constexpr int components = 1; };
-
-/// As few digits as give back the number to the bit: a restart looks for the times it knows.
-std::string exact(double number)
-{
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.15g", number);
-    if (std::strtod(text, nullptr) != number) std::snprintf(text, sizeof(text), "%.17g", number);
-    return text;
-}
 
 const char* byteOrder()
 {
