@@ -212,3 +212,34 @@ TEST(GoodScene, everyKeywordDoesWhatItSays)
     EXPECT_EQ(scene.walls.regions[3].normal, nscd::Vec3(-1, 0, 0));
     EXPECT_EQ(scene.walls.regions[4].normal, nscd::Vec3(0, 1, 0));
 }
+
+/// The file that shows every keyword runs, and the values it calls defaults are those of a scene that leaves them out.
+TEST(GoodScene, theExampleShowsDefaults)
+{
+    const nscdGrains::SceneSettings shown = nscdGrains::readScene(SCENE_EXAMPLE);
+    EXPECT_NO_THROW(nscdGrains::checkGrains(shown, nscdGrains::placeGrains(shown)));
+    const nscdGrains::SceneSettings bare = nscdGrains::parseScene
+    (
+        "materials { glass { density 2500; } } contacts { default { friction 0.3; } } deltaT 1e-3; endTime 2;\n"
+        "grains { type lattice; box (0 0 0) (0.1 0.2 0.1); count (8 16 8); diameter 0.01; }", "scene"
+    );
+    EXPECT_EQ(shown.run.purgeWrite, bare.run.purgeWrite);
+    EXPECT_EQ(shown.run.results, bare.run.results);
+    EXPECT_EQ(shown.gravity, bare.gravity);
+    EXPECT_EQ(shown.shape.dimensions, bare.shape.dimensions);
+    EXPECT_EQ(shown.maxInitialOverlap, bare.maxInitialOverlap);
+    EXPECT_EQ(shown.materials.table.pair(0, 0).restitution, bare.materials.table.pair(0, 0).restitution);
+    EXPECT_EQ(shown.sources[0].lattice.seed, bare.sources[0].lattice.seed);
+    EXPECT_EQ(shown.sources[0].lattice.spread, bare.sources[0].lattice.spread);
+    EXPECT_EQ(shown.sources[0].lattice.jitter, bare.sources[0].lattice.jitter);
+    EXPECT_EQ(shown.sources[0].isFixed, bare.sources[0].isFixed);
+    EXPECT_EQ(shown.contact.solver, bare.contact.solver);
+    EXPECT_EQ(shown.contact.tolerance, bare.contact.tolerance);
+    EXPECT_EQ(shown.contact.displacementTolerance, bare.contact.displacementTolerance);
+    EXPECT_EQ(shown.contact.maxSweeps, bare.contact.maxSweeps);
+    EXPECT_EQ(shown.contact.deadBand, bare.contact.deadBand);
+    EXPECT_EQ(shown.contact.overlapTolerance, bare.contact.overlapTolerance);
+    EXPECT_EQ(shown.contact.skin, bare.contact.skin);
+    EXPECT_EQ(shown.contact.accelerate, bare.contact.accelerate);
+    EXPECT_EQ(shown.contact.vectorPath, bare.contact.vectorPath);
+}
