@@ -24,7 +24,7 @@ struct SceneState
 };
 
 /// The state of a scene after a step. Calls dynamics.checkpoint(): a run that writes and goes on does as one that reads and goes on.
-/// The caller adds names of materials, where it has any.
+/// The caller adds names of materials, where it has any. With several ranks: this rank's grains and impulses.
 SceneState takeState(GrainDynamics& dynamics, double time, std::int64_t step);
 
 /// Writes the file whole or not at all, in the byte order of this machine.

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// The five lines of src/nscd/README.md, from an empty scene to a settled box.
+// The code of src/nscd/README.md as it stands there: five lines from an empty scene to a settled box; a stop and its continuation.
+#include "sceneCheckpoint.hpp"
+#include "sceneHash.hpp"
 #include "sceneParts.hpp"
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <filesystem>
+
 TEST(Readme, fiveLinesSettleABox)
 {
-#include "nscdReadme.inc"
+#include "readme1.inc"
     const nscd::Grains& settled = dynamics.grains();
     ASSERT_EQ(settled.size(), 512u);
     double mass = 0.0, top = 0.0;
@@ -25,4 +31,20 @@ TEST(Readme, fiveLinesSettleABox)
     const double solid = nscd::totalVolume(settled)/(0.1*0.1*top);
     EXPECT_GT(solid, 0.45);
     EXPECT_LT(solid, 0.64);
+
+    const std::filesystem::path before = std::filesystem::current_path();
+    const std::filesystem::path folder = std::filesystem::temp_directory_path()/("nscdReadme" + std::to_string(::getpid()));
+    std::filesystem::create_directory(folder);
+    std::filesystem::current_path(folder);
+    const double time = 3.0;
+    const int step = 3000;
+#include "readme2.inc"
+    std::filesystem::current_path(before);
+    std::filesystem::remove_all(folder);
+    for (nscd::GrainDynamics* each : {&dynamics, &later})
+    {
+        each->beginStep(1e-3);
+        each->advance(nscd::gravityForces(grains, {0, 0, -9.81}, 1e-3));
+    }
+    EXPECT_EQ(scenes::hash(later.grains()), scenes::hash(dynamics.grains()));
 }

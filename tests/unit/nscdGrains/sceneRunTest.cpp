@@ -82,26 +82,57 @@ TEST_F(SceneRuns, goOnToTheBit)
     EXPECT_NE(result("other", files[5]), result("whole", files[5]));
 }
 
-TEST_F(SceneRuns, goOnAfterTheyWereKilled)
+/// The system kills a process that writes beyond its limit: here in the middle of a file, which limit by limit is another one.
+TEST_F(SceneRuns, goOnAfterTheyWereKilledWhileWriting)
 {
-    const std::string text = changed(goodScene(), "writeInterval 0.03", "writeInterval 0.003");
+    const std::string text = changed(changed(goodScene(), "writeInterval 0.03", "writeInterval 0.003"), "endTime   0.09", "endTime   0.36");
     writeScene("whole", text);
-    writeScene("killed", text);
     run("whole");
-    const pid_t child = fork();
-    ASSERT_GE(child, 0);
-    if (child == 0)
+    for (const rlim_t limit : {32000, 45000, 70000})
     {
-        run("killed");
-        _exit(0);
+        writeScene("killed", text);
+        fs::remove_all(folder/"killed.out");
+        const pid_t child = fork();
+        ASSERT_GE(child, 0);
+        if (child == 0)
+        {
+            const rlimit noCore = {0, 0}, size = {limit, limit};
+            setrlimit(RLIMIT_CORE, &noCore);
+            setrlimit(RLIMIT_FSIZE, &size);
+            run("killed");
+            _exit(0);
+        }
+        int status = 0;
+        waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ) << "not killed at " << limit;
+        run("killed", true);
+        for (const char* const file : {"report.csv", "grains.pvd", "contacts.pvd", "state/state.000000360"})
+        {
+            EXPECT_EQ(result("killed", file), result("whole", file)) << file << " after " << limit;
+        }
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) EXPECT_NE(entry.path().extension(), ".part");
     }
-    while (!fs::exists(folder/"killed.out/state/state.000000006")) usleep(100);
-    kill(child, SIGKILL);
-    int status = 0;
-    waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status)) << "it ended before it was killed";
-    run("killed", true);
-    for (const char* const file : files) EXPECT_EQ(result("killed", file), result("whole", file)) << file;
+}
+
+/// Three discs on a floor: the pile stands if and only if friction between them is at least tan 15 degrees = 0.267949.
+TEST_F(SceneRuns, keepAPyramidOfDiscsUpByFrictionAlone)
+{
+    write("discs.txt", "-0.01 0.01 0 0.02\n0.01 0.01 0 0.02\n0 0.0273205080756887 0 0.02\n");
+    const auto top = [&](const std::string& friction)
+    {
+        writeScene("pyramid",
+            "dimensions 2; deltaT 1e-3; endTime 0.5; materials { disc { density 2500; } floor {} }\n"
+            "contacts { disc-disc { friction " + friction + "; } disc-floor { friction 0.09; } }\n"
+            "grains { type table; file discs.txt; } wallMaterial floor;\n"
+            "walls { floor { type polygon; vertices ((-0.1 0 0) (0.1 0 0)); } }\n"
+            "solver { tolerance 1e-8; displacementTolerance 1e-8; maxSweeps 100000; }\n");
+        run("pyramid", false, true);
+        const nscd::SceneState state = nscd::readCheckpoint(folder/"pyramid.out/state/state.000000500");
+        EXPECT_EQ(state.grains.position[2].z(), 0.0);
+        return state.grains.position[2].y();
+    };
+    EXPECT_NEAR(top("0.270"), 0.0273205080756887, 1e-8);
+    EXPECT_LT(top("0.265"), 0.0263);
 }
 
 TEST_F(SceneRuns, doNotLoseResults)
