@@ -181,7 +181,8 @@ void TimeSeries::readUpTo(double time)
         if (line.find("<DataSet") == std::string::npos) continue;
         if (std::sscanf(line.c_str(), " <DataSet timestep=\"%lf\"", &given) != 1)
         {
-            throw std::runtime_error(path_ + ", line " + std::to_string(number) + " is not what nscdGrains wrote; remove the file to go on without it");
+            const std::string where = path_ + ", line " + std::to_string(number);
+            throw std::runtime_error(where + " is not what nscdGrains wrote; remove the file to go on without it");
         }
         if (given <= time) lines_.push_back(line);
     }

@@ -36,8 +36,8 @@ TEST(Readme, fiveLinesSettleABox)
     const std::filesystem::path folder = std::filesystem::temp_directory_path()/("nscdReadme" + std::to_string(::getpid()));
     std::filesystem::create_directory(folder);
     std::filesystem::current_path(folder);
-    const double time = 3.0;
-    const int step = 3000;
+    const double time = 2.0;
+    const int step = 2000;
 #include "readme2.inc"
     std::filesystem::current_path(before);
     std::filesystem::remove_all(folder);
