@@ -5,8 +5,9 @@
 #include "initialChecks.H"
 #include "dictionaryCheck.H"
 #include "grainExits.H"
-#include "overlaps.H"
 #include "vectorConversion.H"
+
+#include "overlaps.hpp"
 
 #include "PstreamReduceOps.H"
 #include "Time.H"
@@ -23,6 +24,8 @@ namespace nscdCoupling
 
 namespace
 {
+
+using nscd::Overlap;
 
 /// An overlap in words, as "grains 3 and 7 overlap by 0.2".
 string describe(const Overlap& overlap, const nscd::Grains& grains, const nscd::Walls& walls)

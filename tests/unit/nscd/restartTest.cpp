@@ -3,10 +3,9 @@
 //
 // Restart and reproducibility: the same to the bit, impulses included.
 #include "heaps.hpp"
+#include "sceneHash.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 using namespace scenes;
 
@@ -14,26 +13,6 @@ namespace
 {
 
 constexpr double deltaT = 1e-3;
-
-/// FNV-1a over the bits of positions, velocities, spins and orientations.
-std::uint64_t hash(const nscd::Grains& grains)
-{
-    std::uint64_t value = 14695981039346656037ULL;
-    const auto add = [&](const double* x, int n)
-    {
-        unsigned char bytes[4*sizeof(double)];
-        std::memcpy(bytes, x, n*sizeof(double));
-        for (std::size_t k = 0; k < n*sizeof(double); ++k) value = (value ^ bytes[k])*1099511628211ULL;
-    };
-    for (std::size_t i = 0; i < grains.size(); ++i)
-    {
-        add(grains.position[i].data(), 3);
-        add(grains.velocity[i].data(), 3);
-        add(grains.omega[i].data(), 3);
-        add(grains.orientation[i].coeffs().data(), 4);
-    }
-    return value;
-}
 
 Scene collapse()
 {

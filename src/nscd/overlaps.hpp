@@ -2,8 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Overlaps of grains with each other and with walls, found in linear time.
-#ifndef nscdCoupling_overlaps_H
-#define nscdCoupling_overlaps_H
+#pragma once
 
 #include "grains.hpp"
 #include "periodicBox.hpp"
@@ -11,9 +10,7 @@
 
 #include <vector>
 
-namespace Foam
-{
-namespace nscdCoupling
+namespace nscd
 {
 
 /// Two bodies that interpenetrate.
@@ -26,12 +23,9 @@ struct Overlap
 };
 
 /// Overlaps between grains of more than `maxShare`, and all coincident centers.
-std::vector<Overlap> grainOverlaps(const nscd::Grains& grains, const nscd::PeriodicBox& box, double maxShare);
+std::vector<Overlap> grainOverlaps(const Grains& grains, const PeriodicBox& box, double maxShare);
 
 /// Overlaps of more than `maxShare` between grains whose centers lie in the domain and walls.
-std::vector<Overlap> wallOverlaps(const nscd::Grains& grains, const nscd::Walls& walls, double maxShare);
+std::vector<Overlap> wallOverlaps(const Grains& grains, const Walls& walls, double maxShare);
 
-} // namespace nscdCoupling
-} // namespace Foam
-
-#endif
+} // namespace nscd

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Finding overlaps.
-#include "overlaps.H"
+#include "overlaps.hpp"
 
 #include "pairSearch.hpp"
 
@@ -11,22 +11,19 @@
 #include <cmath>
 #include <numeric>
 
-namespace Foam
-{
-namespace nscdCoupling
+namespace nscd
 {
 
 namespace
 {
 
-using nscd::Vec3;
 using Cell = std::array<long, 3>;
 
 /// Grains sorted into about as many equal cubes as there are grains.
 class GrainBins
 {
 public:
-    explicit GrainBins(const nscd::Grains& grains)
+    explicit GrainBins(const Grains& grains)
     {
         for (const Vec3& x : grains.position) bounds_.extend(x);
         const double meanRadius = grains.size()
@@ -69,7 +66,7 @@ private:
 
     std::size_t index(const Cell& cell) const { return (cell[2]*count_[1] + cell[1])*count_[0] + cell[0]; }
 
-    void sort(const nscd::Grains& grains)
+    void sort(const Grains& grains)
     {
         start_.assign(count_[0]*count_[1]*count_[2] + 1, 0);
         for (const Vec3& x : grains.position) ++start_[index(cellOf(x)) + 1];
@@ -88,13 +85,12 @@ private:
 
 } // namespace
 
-
-std::vector<Overlap> grainOverlaps(const nscd::Grains& grains, const nscd::PeriodicBox& box, double maxShare)
+std::vector<Overlap> grainOverlaps(const Grains& grains, const PeriodicBox& box, double maxShare)
 {
     std::vector<Overlap> found;
     if (grains.size() == 0) return found;
     const double maxRadius = *std::max_element(grains.radius.begin(), grains.radius.end());
-    for (const nscd::BodyPair& pair : nscd::findPairs(grains.position, grains.radius, box, maxRadius))
+    for (const BodyPair& pair : findPairs(grains.position, grains.radius, box, maxRadius))
     {
         Vec3 difference = grains.position[pair.a] - grains.position[pair.b];
         for (int k = 0; k < 3; ++k) difference[k] -= pair.image[k]*box.length[k];
@@ -112,8 +108,7 @@ std::vector<Overlap> grainOverlaps(const nscd::Grains& grains, const nscd::Perio
     return found;
 }
 
-
-std::vector<Overlap> wallOverlaps(const nscd::Grains& grains, const nscd::Walls& walls, double maxShare)
+std::vector<Overlap> wallOverlaps(const Grains& grains, const Walls& walls, double maxShare)
 {
     std::vector<Overlap> found;
     if (grains.size() == 0) return found;
@@ -121,11 +116,11 @@ std::vector<Overlap> wallOverlaps(const nscd::Grains& grains, const nscd::Walls&
     const double maxRadius = *std::max_element(grains.radius.begin(), grains.radius.end());
     for (std::size_t w = 0; w < walls.regions.size(); ++w)
     {
-        const nscd::WallRegion& region = walls.regions[w];
+        const WallRegion& region = walls.regions[w];
         const bool isPlane = region.edges.empty();
         const auto check = [&](std::size_t i)
         {
-            const double distance = nscd::nearestPoint(region, grains.position[i]).distance;
+            const double distance = nearestPoint(region, grains.position[i]).distance;
             const double share = (grains.radius[i] - distance)/(2*grains.radius[i]);
             // Behind a bounded wall lies another part of the domain; behind a plane lies nothing.
             const bool isBehind = distance < 0 && !isPlane;
@@ -136,7 +131,7 @@ std::vector<Overlap> wallOverlaps(const nscd::Grains& grains, const nscd::Walls&
             for (std::size_t i = 0; i < grains.size(); ++i) check(i);
             continue;
         }
-        Eigen::AlignedBox3d box = nscd::bounds(region);
+        Eigen::AlignedBox3d box = bounds(region);
         box.min().array() -= maxRadius;
         box.max().array() += maxRadius;
         bins.forEachIn(box, check);
@@ -144,5 +139,4 @@ std::vector<Overlap> wallOverlaps(const nscd::Grains& grains, const nscd::Walls&
     return found;
 }
 
-} // namespace nscdCoupling
-} // namespace Foam
+} // namespace nscd

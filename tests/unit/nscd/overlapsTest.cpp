@@ -2,14 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Test of the search for overlaps against brute force.
-#include "case/overlaps.H"
+#include "overlaps.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-using namespace Foam::nscdCoupling;
 using nscd::Vec3;
 
 TEST(Overlaps, agreeWithTheSumOverAllPairs)

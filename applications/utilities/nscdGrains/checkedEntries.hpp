@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Strict reading of dictionaries: declared keywords, checked values, messages that say what would have been right.
+#pragma once
+
+#include "sceneDictionary.hpp"
+
+#include "vec3.hpp"
+
+#include <limits>
+
+namespace nscdGrains
+{
+
+using nscd::Vec3;
+
+/// The numbers a value may have.
+struct Range
+{
+    double lower = -std::numeric_limits<double>::infinity();
+    double upper = std::numeric_limits<double>::infinity();
+    bool includesLower = true;
+    bool includesUpper = true;
+
+    bool contains(double value) const;
+    std::string describe() const;
+};
+
+inline Range anyNumber() { return {}; }
+inline Range above(double lower) { return {lower, std::numeric_limits<double>::infinity(), false, true}; }
+inline Range atLeast(double lower) { return {lower}; }
+inline Range between(double lower, double upper) { return {lower, upper}; }
+
+/// A finite number from a whole word; false for anything else, as nan, inf, 0x10, 1e400 or 5mm.
+bool readNumber(const std::string& word, double& number);
+
+/// One dictionary being read. Every function that takes a keyword declares it; finish() refuses all keywords not declared.
+/// Functions with a default value take it where the keyword is missing; those without refuse that.
+/// Errors: SceneError with file, line, path of the keyword, value, and what is allowed
+class CheckedEntries
+{
+public:
+    explicit CheckedEntries(const Dictionary& dict) : dict_(dict) {}
+
+    bool found(const std::string& keyword) const;
+    Place place(const std::string& keyword) const;
+    const Dictionary& dict() const { return dict_; }
+
+    double number(const std::string& keyword, const Range& range) const;
+    double number(const std::string& keyword, const Range& range, double defaultValue) const;
+    long integer(const std::string& keyword, long lower) const;
+    long integer(const std::string& keyword, long lower, long defaultValue) const;
+    bool flag(const std::string& keyword, bool defaultValue) const;
+    /// (x y z)
+    Vec3 vec(const std::string& keyword) const;
+    Vec3 vec(const std::string& keyword, const Vec3& defaultValue) const;
+    /// (x y z) (x y z): two of them.
+    std::array<Vec3, 2> twoVecs(const std::string& keyword) const;
+    /// ((x y z) (x y z) ...)
+    std::vector<Vec3> vecList(const std::string& keyword) const;
+    /// (a b): two numbers.
+    std::array<double, 2> pair(const std::string& keyword) const;
+    /// One of the words allowed.
+    std::string choice(const std::string& keyword, const Words& allowed) const;
+    std::string choice(const std::string& keyword, const Words& allowed, const std::string& defaultValue) const;
+    /// (word word ...), each one of those allowed.
+    Words choices(const std::string& keyword, const Words& allowed, const Words& defaultValue) const;
+    /// A word or a quoted string.
+    std::string text(const std::string& keyword) const;
+    std::string text(const std::string& keyword, const std::string& defaultValue) const;
+
+    const Dictionary& sub(const std::string& keyword) const;
+    /// An empty one where it is missing.
+    Dictionary subOrEmpty(const std::string& keyword) const;
+
+    [[noreturn]] void reject
+    (
+        const std::string& keyword, const std::string& problem, const std::string& allowed = "", const Words& words = {}
+    ) const;
+
+    void finish() const;
+
+private:
+    /// Refuses a dictionary that lacks a keyword, and names the one that may be it, misspelt.
+    [[noreturn]] void failMissing(const std::string& keyword, const std::string& allowed) const;
+    const std::vector<Token>& value(const std::string& keyword) const;
+    double toNumber(const std::string& keyword, const Token& token, const Range& range) const;
+    Vec3 toVec(const std::string& keyword, const std::vector<Token>& tokens, std::size_t first) const;
+
+    const Dictionary& dict_;
+    mutable Words declared_;
+};
+
+} // namespace nscdGrains

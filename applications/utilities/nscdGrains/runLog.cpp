@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Writing the log.
+#include "runLog.hpp"
+
+#include "sweepKernels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace nscdGrains
+{
+
+namespace
+{
+
+constexpr double secondsPerLine = 1.0;
+
+/// As printf, into a string.
+template<class... Values>
+std::string formatted(const char* format, Values... values)
+{
+    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), ' ');
+    std::snprintf(&text[0], text.size() + 1, format, values...);
+    return text;
+}
+
+/// A duration as h:mm:ss.
+std::string clockText(double seconds)
+{
+    const long whole = std::lround(seconds);
+    return formatted("%ld:%02ld:%02ld", whole/3600, whole/60 % 60, whole % 60);
+}
+
+std::string describeGrains(const nscd::Grains& grains)
+{
+    const auto range = std::minmax_element(grains.radius.begin(), grains.radius.end());
+    const char* const kind = grains.shape.dimensions == 2 ? "discs" : "spheres";
+    return formatted("%zu %s, diameter %.4g to %.4g m, volume %.6g m3", grains.size(), kind, 2**range.first, 2**range.second, totalVolume(grains));
+}
+
+std::string describeWalls(const nscd::Walls& walls)
+{
+    std::string names;
+    for (const nscd::WallPatch& patch : walls.patches) names += (names.empty() ? "" : " ") + patch.name;
+    return names.empty() ? "none" : formatted("%s, %zu flat regions", names.c_str(), walls.regions.size());
+}
+
+std::string describePeriods(const nscd::PeriodicBox& box)
+{
+    std::string text;
+    for (int k = 0; k < 3; ++k)
+    {
+        if (box.isPeriodic(k)) text += formatted("%s%c, %.4g m", text.empty() ? "" : "; ", "xyz"[k], box.length[k]);
+    }
+    return text.empty() ? "none" : text;
+}
+
+} // namespace
+
+RunLog::RunLog(std::ostream& os, double startTime, double endTime)
+:
+    os_(os),
+    startTime_(startTime),
+    endTime_(endTime),
+    start_(Clock::now())
+{}
+
+void RunLog::scene(const SceneSettings& scene, const nscd::Grains& grains, const ResultsFolder& results)
+{
+    const nscd::ContactSettings& contact = scene.contact;
+    const char* const kernels = nscd::chooseKernels(contact.vectorPath.c_str()).name;
+    os_ << "Scene " << scene.file << '\n'
+        << "  grains    " << describeGrains(grains) << '\n'
+        << "  walls     " << describeWalls(scene.walls) << '\n'
+        << "  periodic  " << describePeriods(scene.box) << '\n'
+        << formatted("  contacts  %s, tolerance %.3g, at most %d sweeps\n", contact.solver.c_str(), contact.tolerance, contact.maxSweeps)
+        << "  vectors   " << kernels << '\n'
+        << formatted("  time      %.9g to %.9g s in steps of %.4g s\n", startTime_, endTime_, scene.run.deltaT)
+        << formatted("  results   every %.4g s into %s\n\n", scene.run.writeInterval, results.path().c_str()) << std::flush;
+}
+
+std::string RunLog::progress(double time) const
+{
+    const double done = std::min(1.0, (time - startTime_)/(endTime_ - startTime_));
+    return formatted("%.1f %% done, %s left", 100*done, clockText(elapsed()*(1 - done)/done).c_str());
+}
+
+void RunLog::step(const StepRow& row, std::int64_t number, bool isWritten)
+{
+    const nscd::SolveReport& solve = row.report.solve;
+    ++steps_;
+    atCap_ += !solve.converged;
+    atCapSinceLine_ += !solve.converged;
+    sweeps_ += solve.sweeps;
+    worstOverlap_ = std::max(worstOverlap_, row.report.overlapMax);
+    if (steps_ > 1 && !isWritten && elapsed() - lastLine_ < secondsPerLine) return;
+
+    lastLine_ = elapsed();
+    os_ << formatted
+        (
+            "Time = %.9g s, step %lld: %zu contacts, %d sweeps, %s, residual %.2g rms %.2g max m/s, overlap <= %.2g d; ",
+            row.time, static_cast<long long>(number), solve.contacts, solve.sweeps, solve.converged ? "converged" : "NOT converged",
+            solve.residualRms, solve.residualMax, row.report.overlapMax
+        )
+        << progress(row.time) << (isWritten ? ", written" : "");
+    if (atCapSinceLine_ > 0) os_ << "; " << atCapSinceLine_ << " steps at the cap since the last line";
+    os_ << std::endl;
+    atCapSinceLine_ = 0;
+}
+
+void RunLog::timing(const char* name, double seconds) const
+{
+    const double total = elapsed();
+    os_ << formatted("  %-14s %12.3f %8.1f %% %12.4f\n", name, seconds, 100*seconds/total, steps_ > 0 ? 1e3*seconds/steps_ : 0.0);
+}
+
+void RunLog::finish(const nscd::StepTimes& times, double output)
+{
+    const double total = elapsed();
+    const double known = times.findPairs + times.buildContacts + times.solveContacts + times.moveGrains + output;
+    os_ << "\nTiming\n" << formatted("  %-14s %12s %10s %12s\n", "part", "seconds", "share", "ms/step");
+    timing("findPairs", times.findPairs);
+    timing("buildContacts", times.buildContacts);
+    timing("solveContacts", times.solveContacts);
+    timing("moveGrains", times.moveGrains);
+    timing("output", output);
+    timing("other", std::max(0.0, total - known));
+    timing("sum", total);
+    os_ << "\nSummary\n"
+        << formatted("  steps                  %ld\n", steps_)
+        << formatted("  steps at the cap       %ld\n", atCap_)
+        << formatted("  sweeps per step        %.4g\n", steps_ > 0 ? sweeps_/steps_ : 0.0)
+        << formatted("  worst overlap          %.3g d\n", worstOverlap_) << std::flush;
+}
+
+} // namespace nscdGrains

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Reading, starting and running a scene.
+#include "sceneRun.hpp"
+
+#include "grainSources.hpp"
+#include "materialReader.hpp"
+#include "resultsFolder.hpp"
+#include "runLog.hpp"
+#include "vtkFiles.hpp"
+
+#include "nearestWord.hpp"
+#include "sceneCheckpoint.hpp"
+#include "stopwatch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+namespace nscdGrains
+{
+
+namespace
+{
+
+/// Times are met to half a step.
+bool isBefore(double time, double target, double deltaT) { return time + 0.5*deltaT < target; }
+
+/// The time after a step. Whole numbers of steps are met exactly, so that errors of rounding do not add up.
+double nextTime(double time, double deltaT)
+{
+    const double next = time + deltaT;
+    const double onGrid = std::round(next/deltaT)*deltaT;
+    return std::abs(onGrid - next) < 1e-6*deltaT ? onGrid : next;
+}
+
+class SceneRun
+{
+public:
+    SceneRun(const SceneSettings& scene, const ResultsFolder& results, nscd::SceneState start, bool goesOn, std::ostream& os)
+    :
+        scene_(scene),
+        results_(results),
+        time_(start.time),
+        step_(start.step),
+        forces_(nscd::gravityForces(start.grains, scene.gravity, scene.run.deltaT)),
+        log_(os, start.time, scene.run.endTime),
+        grainSeries_(results.grainSeries()),
+        contactSeries_(results.contactSeries())
+    {
+        log_.scene(scene, start.grains, results);
+        dynamics_ = std::make_unique<nscd::GrainDynamics>(std::move(start.grains), scene.materials.table, scene.walls, scene.box, scene.contact);
+        if (goesOn) dynamics_->restore(start.impulses, start.lastDeltaT);
+        const nscd::Stopwatch watch(output_);
+        table_ = std::make_unique<StepTable>(results.report(), goesOn, time_);
+        if (goesOn)
+        {
+            grainSeries_.readUpTo(time_);
+            contactSeries_.readUpTo(time_);
+        }
+        else
+        {
+            writeGrains();
+        }
+    }
+
+    void run()
+    {
+        while (isBefore(time_, scene_.run.endTime, scene_.run.deltaT)) advance();
+        log_.finish(dynamics_->times(), output_);
+    }
+
+private:
+    void advance()
+    {
+        const double deltaT = scene_.run.deltaT;
+        dynamics_->beginStep(deltaT);
+        const nscd::StepReport report = dynamics_->advance(forces_);
+        const double next = nextTime(time_, deltaT);
+        const bool isWritten = isWriteTime(next);
+        time_ = next;
+        ++step_;
+        const nscd::Stopwatch watch(output_);
+        const StepRow row = rowOf(report);
+        table_->write(row);
+        if (isWritten) write();
+        log_.step(row, step_, isWritten);
+    }
+
+    bool isWriteTime(double next) const
+    {
+        const double deltaT = scene_.run.deltaT;
+        const auto intervals = [&](double time) { return std::floor((time + 0.5*deltaT)/scene_.run.writeInterval); };
+        return intervals(next) > intervals(time_) || !isBefore(next, scene_.run.endTime, deltaT);
+    }
+
+    StepRow rowOf(const nscd::StepReport& report) const
+    {
+        const nscd::Grains& grains = dynamics_->grains();
+        StepRow row{time_, scene_.run.deltaT, grains.size(), report, nscd::kineticEnergy(grains), nscd::massCenter(grains), Vec3::Zero()};
+        for (const Vec3& force : dynamics_->wallForce()) row.wallForce += force;
+        return row;
+    }
+
+    void writeGrains()
+    {
+        const std::string name = results_.grains(step_);
+        writeGrainsVtp(results_.full(name), time_, dynamics_->grains(), dynamics_->contactForce());
+        grainSeries_.add(time_, name);
+    }
+
+    void writeContacts()
+    {
+        const std::string name = results_.contacts(step_);
+        writeContactsVtp(results_.full(name), time_, dynamics_->grains(), dynamics_->contacts(), scene_.run.deltaT);
+        contactSeries_.add(time_, name);
+    }
+
+    /// The state comes last: where it is, all else is. (And it takes the contacts away.)
+    void write()
+    {
+        writeGrains();
+        writeContacts();
+        nscd::SceneState state = nscd::takeState(*dynamics_, time_, step_);
+        state.materials = scene_.materials.table.names();
+        nscd::writeCheckpoint(results_.full(results_.state(step_)), state);
+        if (scene_.run.purgeWrite > 0) results_.purgeStates(static_cast<std::size_t>(scene_.run.purgeWrite));
+    }
+
+    const SceneSettings& scene_;
+    const ResultsFolder& results_;
+    double time_;
+    std::int64_t step_;
+    nscd::ExternalForces forces_;
+    RunLog log_;
+    double output_ = 0.0;
+    TimeSeries grainSeries_;
+    TimeSeries contactSeries_;
+    std::unique_ptr<nscd::GrainDynamics> dynamics_;
+    std::unique_ptr<StepTable> table_;
+};
+
+nscd::SceneState newStart(const SceneSettings& scene)
+{
+    nscd::SceneState state;
+    state.grains = placeGrains(scene);
+    checkGrains(scene, state.grains);
+    return state;
+}
+
+/// Materials of a state by their names, since a scene may list them in another order.
+void renumberMaterials(nscd::SceneState& state, const SceneSettings& scene, const std::string& path)
+{
+    std::vector<int> numberOf;
+    for (const std::string& name : state.materials) numberOf.push_back(scene.materials.table.find(name));
+    for (int& material : state.grains.material)
+    {
+        const bool isKnown = material >= 0 && material < static_cast<int>(numberOf.size());
+        const std::string name = isKnown ? state.materials[material] : "?";
+        if (!isKnown || numberOf[material] < 0)
+        {
+            const Place place = {scene.file, 0, "materials"};
+            fail({place, "lacks a material of the grains in " + path, name, "", scene.materials.table.names()});
+        }
+        material = numberOf[material];
+    }
+}
+
+nscd::SceneState storedStart(const SceneSettings& scene, const ResultsFolder& results)
+{
+    const std::string path = results.latestState();
+    if (path.empty()) throw std::runtime_error(results.path() + " holds no state to go on from; without -restart the scene starts anew");
+    nscd::SceneState state;
+    try
+    {
+        state = nscd::readCheckpoint(path);
+    }
+    catch (const std::invalid_argument& error)
+    {
+        throw std::runtime_error(std::string(error.what()) + "; remove it to go on from the state before");
+    }
+    const nscd::GrainShape& shape = state.grains.shape;
+    if (shape.dimensions != scene.shape.dimensions || (scene.isPlanar() && shape.thickness != scene.shape.thickness))
+    {
+        const std::string value = textOf("dimensions ", shape.dimensions, ", thickness ", shape.thickness, " in ", path);
+        fail({{scene.file, 0, "dimensions"}, "or thickness is not that of the state to go on from", value, "the same", {}});
+    }
+    renumberMaterials(state, scene, path);
+    std::vector<int> used = state.grains.material;
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    checkPairs(scene, used);
+    return state;
+}
+
+} // namespace
+
+RunOptions readOptions(int argc, const char* const* argv)
+{
+    RunOptions options;
+    bool hasScene = false;
+    for (int i = 0; i < argc; ++i)
+    {
+        const std::string given = argv[i];
+        if (given == "-restart") options.goesOn = true;
+        else if (given == "-overwrite") options.overwrites = true;
+        else if (given[0] == '-' || hasScene)
+        {
+            const std::string problem = hasScene && given[0] != '-' ? "is a second scene" : "is no option of nscdGrains";
+            fail({{"command line", 0, ""}, given + " " + problem, given, "", {"-restart", "-overwrite", "-help"}});
+        }
+        else
+        {
+            options.scene = given;
+            hasScene = true;
+        }
+    }
+    if (options.goesOn && options.overwrites) fail({{"command line", 0, ""}, "-restart goes on, -overwrite starts anew", "", "one of the two", {}});
+    return options;
+}
+
+void refuseRanks()
+{
+    for (const char* const variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    {
+        const char* const size = std::getenv(variable);
+        if (!size || std::atoi(size) <= 1) continue;
+        throw std::runtime_error
+        (
+            "mpirun started several processes, and nscdGrains runs on one: each would run the whole scene. "
+            "nscdDEMFoam with `fluid none;` runs dry scenes on several ranks."
+        );
+    }
+}
+
+void runScene(const RunOptions& options, std::ostream& log)
+{
+    const SceneSettings scene = readScene(options.scene);
+    const ResultsFolder results(scene.pathOf(scene.run.results));
+    if (!options.goesOn && !options.overwrites && results.hasResults())
+    {
+        throw std::runtime_error(results.path() + " holds results of an earlier run: nscdGrains -restart goes on, nscdGrains -overwrite starts anew");
+    }
+    nscd::SceneState start = options.goesOn ? storedStart(scene, results) : newStart(scene);
+    if (!isBefore(start.time, scene.run.endTime, scene.run.deltaT))
+    {
+        log << "Time = " << start.time << " s: endTime is reached, there is nothing to do" << std::endl;
+        return;
+    }
+    results.create();
+    if (!options.goesOn) results.clear();
+    SceneRun(scene, results, std::move(start), options.goesOn, log).run();
+}
+
+} // namespace nscdGrains
