@@ -32,14 +32,14 @@ void setBody(Body& body, const Vec3& v, double invMass, const Vec3& s, double in
 
 } // namespace
 
-void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT)
+void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const IslandSleep& sleep)
 {
     const double kappa = grains.shape.inertiaFactor();
     for (int body = 0; body < list.owned(); ++body)
     {
         const int i = list.grainOf[body];
         const Vec3 spin = grains.radius[i]*grains.omega[i];
-        if (grains.isFixed[i])
+        if (grains.isFixed[i] || sleep.isAsleep(i))
         {
             setBody(list.bodies[body], grains.velocity[i], 0.0, spin, 0.0);
             continue;
@@ -74,7 +74,7 @@ void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT,
     list.halo.takeVelocities(list.bodies);
 }
 
-ContactForces sumContactForces(const ContactList& list, const Scene& scene, double deltaT)
+ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT)
 {
     std::vector<Vec3> force(list.bodies.size(), Vec3::Zero()), torque = force;
     std::vector<Vec3> wall(scene.walls.patches.size(), Vec3::Zero());
@@ -94,9 +94,9 @@ ContactForces sumContactForces(const ContactList& list, const Scene& scene, doub
         force[b] -= onA;
         torque[b] -= list.radius[b]*moment;
     };
-    for (std::uint32_t k : list.awake)
+    for (std::size_t k = 0; k < loaded.count; ++k)
     {
-        for (int lane = 0; lane < blockLanes; ++lane) addLane(list.blocks[k], lane, list.wall[std::size_t(k)*blockLanes + lane]);
+        for (int lane = 0; lane < blockLanes; ++lane) addLane(list.blocks[loaded[k]], lane, list.wall[loaded[k]*blockLanes + lane]);
     }
     list.halo.take(force);
     list.halo.take(torque);

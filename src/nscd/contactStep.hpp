@@ -6,14 +6,16 @@
 
 #include "contactList.hpp"
 #include "grainDynamics.hpp"
+#include "islandSleep.hpp"
 
 namespace nscd
 {
 
 /// Free velocity of every body (eq. 2.11 with drag implicit in the grain): v = (m v + dt f)/(m + gamma dt), mobilities with it.
+/// Held and sleeping grains have none of either mobility.
 /// Units:   SI; list.bodies is overwritten
 /// Errors:  std::invalid_argument for a force that is not finite, naming the grain
-void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT);
+void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const IslandSleep& sleep);
 
 /// Sets W, bias and warm start of every slot, and adds the warm-start impulses to the bodies, which hold free velocities before.
 /// A block sleeps if none of its contacts carries an impulse, is closed, or closes in the free motion.
@@ -21,14 +23,14 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
 /// Warm start: impulses times impulseScale = dt_new/dt_old, tangential part turned into the new tangent plane and friction disc.
 void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT, double deadBand, double impulseScale);
 
-/// Sums the impulses: force on each own grain [N], torque on it [N m], force of all ranks' grains on each wall patch [N].
+/// Sums the impulses of the blocks `loaded`: force on each own grain [N], torque on it [N m], force of all ranks' grains on each wall patch [N].
 struct ContactForces
 {
     std::vector<Vec3> force;
     std::vector<Vec3> torque;
     std::vector<Vec3> wall;
 };
-ContactForces sumContactForces(const ContactList& list, const Scene& scene, double deltaT);
+ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT);
 
 /// Whether every body stays within its reach if it moves on with its present velocity for deltaT.
 bool coversMotion(const ContactList& list, double deltaT);

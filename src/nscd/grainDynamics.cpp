@@ -74,7 +74,8 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
 {
     {
         const Stopwatch watch(times.buildContacts);
-        setFreeVelocities(list, grains, external, deltaT);
+        do setFreeVelocities(list, grains, external, deltaT, sleep);
+        while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()));
         prepareSlots(list, kernels, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
         impulseDeltaT = deltaT;
     }
@@ -84,9 +85,21 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     return solve(problem, settings);
 }
 
-SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces& external)
+SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
 {
     SolveReport report = solveOnce(external);
+    while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()))
+    {
+        const int before = report.sweeps;
+        report = solveOnce(external);
+        report.sweeps += before;
+    }
+    return report;
+}
+
+SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces& external)
+{
+    SolveReport report = solveAndWake(external);
     // Grains that turn out faster than the list allows for could pass one another unseen: list and solve again.
     for (int attempt = 0; !coversMotion(list, deltaT); ++attempt)
     {
@@ -98,7 +111,7 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
         }
         const int before = report.sweeps;
         rebuildList(velocity);
-        report = solveOnce(external);
+        report = solveAndWake(external);
         report.sweeps += before;
     }
     return report;
@@ -107,7 +120,7 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
 void GrainDynamics::Implementation::rebound(const ExternalForces& external, SolveReport& report)
 {
     std::vector<Body> inelastic = list.bodies;
-    setFreeVelocities(list, grains, external, deltaT);
+    setFreeVelocities(list, grains, external, deltaT, sleep);
     const std::vector<Body> freeBodies = std::move(list.bodies);
     list.bodies = std::move(inelastic);
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
@@ -124,7 +137,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     report.converged = report.converged && shock.converged;
     report.residualRms = std::max(report.residualRms, shock.residualRms);
     report.residualMax = std::max(report.residualMax, shock.residualMax);
-    forces = sumContactForces(list, scene(), deltaT);
+    forces = contactForces();
     // The next step starts from the impulses of the motion, not from those of the shock.
     for (std::size_t k = 0; k < list.blocks.size(); ++k)
     {
@@ -147,11 +160,32 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
     report.overlapMean = overlap.mean/diameter;
 }
 
+void GrainDynamics::Implementation::wakeDisturbed(const ExternalForces& external)
+{
+    if (!sleep.any()) return;
+    const bool wasEverybodyAsleep = sleep.isEverybodyAsleep();
+    sleep.wakeByForces(grains, external, deltaT);
+    // The list was not looked at when the step began.
+    if (wasEverybodyAsleep && !coversMotion(list, deltaT)) rebuildList(grains.velocity);
+}
+
+StepReport GrainDynamics::Implementation::restingReport() const
+{
+    StepReport report = lastReport;
+    report.solve.sweeps = 0;
+    report.listRebuilt = false;
+    report.correctionSweeps = 0;
+    report.maxDisplacement = 0.0;
+    return report;
+}
+
 void GrainDynamics::beginStep(double deltaT)
 {
     if (!(deltaT > 0.0) || !std::isfinite(deltaT)) throw invalidValue("time step", deltaT, "a finite value > 0 s");
     Implementation& self = *self_;
+    if (deltaT != self.deltaT) self.sleep.wakeAll();
     self.deltaT = deltaT;
+    if (self.sleep.isEverybodyAsleep()) return;
     if (self.isListStale) self.measureDiameter();
     if (self.isListStale || !coversMotion(self.list, deltaT)) self.rebuildList(self.grains.velocity);
 }
@@ -160,6 +194,7 @@ bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->lis
 
 Prediction GrainDynamics::predict(const ExternalForces& external)
 {
+    self_->sleep.wakeAll();
     Prediction prediction;
     prediction.solve = self_->solveVelocities(external);
     prediction.velocity.resize(self_->grains.size());
@@ -167,7 +202,7 @@ Prediction GrainDynamics::predict(const ExternalForces& external)
     {
         prediction.velocity[self_->list.grainOf[body]] = Vec3(self_->list.bodies[body].v);
     }
-    prediction.contactForce = sumContactForces(self_->list, self_->scene(), self_->deltaT).force;
+    prediction.contactForce = self_->contactForces().force;
     return prediction;
 }
 
@@ -186,6 +221,8 @@ Prediction GrainDynamics::tryForces(const ExternalForces& external)
 StepReport GrainDynamics::advance(const ExternalForces& external)
 {
     Implementation& self = *self_;
+    self.wakeDisturbed(external);
+    if (self.sleep.isEverybodyAsleep()) return self.restingReport();
     StepReport report;
     const double findPairsBefore = self.times.findPairs;
     report.solve = self.solveVelocities(external);
@@ -193,11 +230,17 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     report.candidates = static_cast<std::size_t>(self.list.halo.sum(static_cast<double>(self.list.candidates)));
 
     const Stopwatch watch(self.times.moveGrains);
-    self.forces = sumContactForces(self.list, self.scene(), self.deltaT);
+    self.forces = self.contactForces();
     report.maxDisplacement = moveGrains(self.list, self.grains, self.box, self.deltaT, self.isFrictional)/self.diameter;
     if (self.materials.anyRestitution()) self.rebound(external, report.solve);
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);
+    if (self.settings.sleep && !self.exchange->isParallel())
+    {
+        self.sleep.fallAsleep(self.list, self.grains, external, report.solve.speedScale, self.deadBand());
+        report.asleep = self.sleep.count();
+    }
+    self.lastReport = report;
     return report;
 }
 

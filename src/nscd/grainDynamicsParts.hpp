@@ -32,6 +32,8 @@ struct GrainDynamics::Implementation
     double deltaT = 0.0;          // of the step begun
     double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
     ImpulseRecord restored;
+    IslandSleep sleep;
+    StepReport lastReport;
     ContactForces forces;
     StepTimes times;
 
@@ -40,6 +42,9 @@ struct GrainDynamics::Implementation
     {
         return {list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter};
     }
+    /// Blocks that may carry impulses.
+    BlockRange loaded() const { return sleep.any() ? BlockRange{nullptr, list.blocks.size()} : BlockRange{list.awake.data(), list.awake.size()}; }
+    ContactForces contactForces() const { return sumContactForces(list, loaded(), scene(), deltaT); }
     double deadBand() const { return settings.deadBand*diameter; }
 
     void measureDiameter();
@@ -48,6 +53,9 @@ struct GrainDynamics::Implementation
     SolveReport solveVelocities(const ExternalForces& external);
     double measureMotion(double speedScale) const;
     SolveReport solveOnce(const ExternalForces& external);
+    SolveReport solveAndWake(const ExternalForces& external);
+    void wakeDisturbed(const ExternalForces& external);
+    StepReport restingReport() const;
     void rebound(const ExternalForces& external, SolveReport& report);
     void correctPositions(StepReport& report);
 };

@@ -93,6 +93,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
 {
     Implementation& self = *self_;
     lastDeltaT = self.impulseDeltaT;
+    self.sleep.wakeAll();
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
     self.isListStale = true;
@@ -104,6 +105,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     Implementation& self = *self_;
     self.restored = byIndex(impulses, self.grains);
     self.impulseDeltaT = lastDeltaT;
+    self.sleep.wakeAll();
     self.list = ContactList();
     self.isListStale = true;
 }

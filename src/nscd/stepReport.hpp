@@ -29,6 +29,7 @@ struct StepReport
     double overlapMean = 0.0;
     int correctionSweeps = 0;         ///< of the overlap correction
     double maxDisplacement = 0.0;     ///< of any grain in this step, in d
+    std::size_t asleep = 0;           ///< grains of islands that sleep
 };
 
 /// The report of several steps in a row as one: sums of sweeps, the worst of the rest; `count` steps with `next`.
