@@ -126,7 +126,8 @@ void prepareSlots(ContactList& list, double deltaT, double deadBand, double impu
 ContactForces sumContactForces(const ContactList& list, const Scene& scene, double deltaT)
 {
     std::vector<Vec3> force(list.bodies.size(), Vec3::Zero()), torque = force;
-    std::vector<Vec3> wall(scene.walls.patches.size(), Vec3::Zero());
+    const std::size_t patches = scene.walls.patches.size();
+    std::vector<Vec3> wall(2*patches, Vec3::Zero());  // forces, then torques: summed over ranks together
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (!list.isUsed(slot)) continue;
@@ -140,7 +141,10 @@ ContactForces sumContactForces(const ContactList& list, const Scene& scene, doub
         torque[a] -= list.radius[a]*moment;
         if (list.wall[slot] >= 0)
         {
-            wall[scene.walls.regions[list.wall[slot]].patch] -= onA;
+            const int patch = scene.walls.regions[list.wall[slot]].patch;
+            const Vec3 point = list.position[a] - (list.radius[a] + list.gap[slot])*normal(list, slot);
+            wall[patch] -= onA;
+            wall[patches + patch] -= (point - scene.walls.patches[patch].torquePoint).cross(onA);
             continue;
         }
         force[b] -= onA;
@@ -150,7 +154,8 @@ ContactForces sumContactForces(const ContactList& list, const Scene& scene, doub
     list.halo.take(torque);
     if (!wall.empty()) list.halo.sum(wall.front().data(), 3*static_cast<int>(wall.size()));
 
-    ContactForces sums{std::vector<Vec3>(list.owned()), std::vector<Vec3>(list.owned()), std::move(wall)};
+    const auto middle = wall.begin() + static_cast<std::ptrdiff_t>(patches);
+    ContactForces sums{std::vector<Vec3>(list.owned()), std::vector<Vec3>(list.owned()), {wall.begin(), middle}, {middle, wall.end()}};
     for (int body = 0; body < list.owned(); ++body)
     {
         sums.force[list.grainOf[body]] = force[body];
@@ -159,9 +164,9 @@ ContactForces sumContactForces(const ContactList& list, const Scene& scene, doub
     return sums;
 }
 
-bool coversMotion(const ContactList& list, double deltaT)
+bool coversMotion(const ContactList& list, double deltaT, bool areWallsCovered)
 {
-    bool isCovered = true;
+    bool isCovered = areWallsCovered;
     for (int body = 0; body < list.owned() && isCovered; ++body)
     {
         const Vec3 travel = list.position[body] - list.positionAtBuild[body] + deltaT*Vec3(list.bodies[body].v);

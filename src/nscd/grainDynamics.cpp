@@ -35,7 +35,17 @@ void GrainDynamics::Implementation::measureDiameter()
 void GrainDynamics::Implementation::clearForces()
 {
     const std::vector<Vec3> none(grains.size(), Vec3::Zero());
-    forces = {none, none, std::vector<Vec3>(walls.patches.size(), Vec3::Zero())};
+    const std::vector<Vec3> noneOnWalls(walls.patches.size(), Vec3::Zero());
+    forces = {none, none, noneOnWalls, noneOnWalls};
+}
+
+/// Its cells are a few grains wide; made anew only where the grains have become others.
+void GrainDynamics::Implementation::makeWallSearch()
+{
+    double largest = 0.0;
+    for (double radius : grains.radius) largest = std::max(largest, radius);
+    const bool isFitting = wallSearch && wallSearch->cellSize() >= 2.0*largest && wallSearch->cellSize() <= 8.0*largest;
+    if (!isFitting) wallSearch = std::make_unique<WallSearch>(walls, largest > 0.0 ? 4.0*largest : diameter);
 }
 
 void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity)
@@ -55,7 +65,8 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
         reach[i] = 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
     }
     list = ContactList();  // two at a time would be the peak of the memory
-    list = buildContactList(scene(), reach, diameter, *exchange);
+    makeWallSearch();
+    list = buildContactList(scene(), *wallSearch, reach, movingWalls.reach(*wallSearch, grains, reach, diameter), diameter, *exchange);
     updateGeometry(list, scene());
     assignImpulses(list, std::move(impulses), *exchange);
     isListStale = false;
@@ -75,6 +86,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     {
         const Stopwatch watch(times.buildContacts);
         setFreeVelocities(list, grains, external, deltaT);
+        movingWalls.setVelocities(list);
         prepareSlots(list, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
         impulseDeltaT = deltaT;
     }
@@ -88,7 +100,7 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
 {
     SolveReport report = solveOnce(external);
     // Grains that turn out faster than the list allows for could pass one another unseen: list and solve again.
-    for (int attempt = 0; !coversMotion(list, deltaT); ++attempt)
+    for (int attempt = 0; !coversStep(); ++attempt)
     {
         if (attempt == maxListRebuilds) throw std::runtime_error("contact list cannot follow the grains; use a smaller time step");
         std::vector<Vec3> velocity(grains.size());
@@ -154,7 +166,9 @@ void GrainDynamics::beginStep(double deltaT)
     Implementation& self = *self_;
     self.deltaT = deltaT;
     if (self.isListStale) self.measureDiameter();
-    if (self.isListStale || !coversMotion(self.list, deltaT)) self.rebuildList(self.grains.velocity);
+    const bool haveJumped = self.movingWalls.beginStep(deltaT);
+    if (self.isListStale || !self.coversStep()) self.rebuildList(self.grains.velocity);
+    else if (haveJumped) updateGeometry(self.list, self.scene());
 }
 
 bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->list.candidates > 0); }
@@ -197,6 +211,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     self.forces = sumContactForces(self.list, self.scene(), self.deltaT);
     report.maxDisplacement = moveGrains(self.list, self.grains, self.box, self.deltaT, self.isFrictional)/self.diameter;
     if (self.materials.anyRestitution()) self.rebound(external, report.solve);
+    self.movingWalls.endStep();
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);
     return report;
