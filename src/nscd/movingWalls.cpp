@@ -37,7 +37,7 @@ bool MovingWalls::beginStep(double deltaT)
     for (std::size_t k = 0; k < walls_.patches.size(); ++k)
     {
         const WallPatch& patch = walls_.patches[k];
-        if (patch.motion) next_[k] = patch.motion(time_ + deltaT);
+        if (patch.motion) next_[k] = poseAt(patch, time_ + deltaT);
         if (patch.surfaceMotion) surface_[k] = patch.surfaceMotion(time_ + 0.5*deltaT);
     }
     const bool haveJumped = haveJumped_;

@@ -14,10 +14,10 @@ namespace nscd
 
 WallMotion translation(const Vec3& velocity)
 {
-    return translation([velocity](double time) { return Vec3(time*velocity); });
+    return translationBy([velocity](double time) { return Vec3(time*velocity); });
 }
 
-WallMotion translation(VectorOfTime displacement)
+WallMotion translationBy(VectorOfTime displacement)
 {
     return [displacement](double time)
     {
@@ -29,10 +29,10 @@ WallMotion translation(VectorOfTime displacement)
 
 WallMotion rotation(const Vec3& point, const Vec3& axis, double omega)
 {
-    return rotation(point, axis, [omega](double time) { return omega*time; });
+    return rotationBy(point, axis, [omega](double time) { return omega*time; });
 }
 
-WallMotion rotation(const Vec3& point, const Vec3& axis, ScalarOfTime angle)
+WallMotion rotationBy(const Vec3& point, const Vec3& axis, ScalarOfTime angle)
 {
     if (!(axis.norm() > 0.0)) throw invalidValue("axis of a wall's rotation", axis.transpose(), "a vector that is not zero");
     return [point, unit = Vec3(axis.normalized()), angle](double time)
@@ -47,7 +47,7 @@ WallMotion rotation(const Vec3& point, const Vec3& axis, ScalarOfTime angle)
 WallMotion oscillation(const Vec3& amplitude, double frequency, double phase)
 {
     if (!(frequency >= 0.0)) throw invalidValue("frequency of a wall's oscillation", frequency, ">= 0 Hz");
-    return translation([=](double time) { return Vec3(std::sin(2.0*M_PI*frequency*time + phase)*amplitude); });
+    return translationBy([=](double time) { return Vec3(std::sin(2.0*M_PI*frequency*time + phase)*amplitude); });
 }
 
 SurfaceMotion belt(const Vec3& velocity)

@@ -35,14 +35,14 @@ using SurfaceMotion = std::function<Twist(double time)>;
 using VectorOfTime = std::function<Vec3(double time)>;
 using ScalarOfTime = std::function<double(double time)>;
 
-/// x = X + velocity t.
+/// x = X + velocity t, or any displacement [m].
 WallMotion translation(const Vec3& velocity);
-WallMotion translation(VectorOfTime displacement);
+WallMotion translationBy(VectorOfTime displacement);
 
 /// Turns about the axis through a point, by omega t [rad/s] or by any angle [rad].
 /// Errors: std::invalid_argument for an axis without length
 WallMotion rotation(const Vec3& point, const Vec3& axis, double omega);
-WallMotion rotation(const Vec3& point, const Vec3& axis, ScalarOfTime angle);
+WallMotion rotationBy(const Vec3& point, const Vec3& axis, ScalarOfTime angle);
 
 /// x = X + amplitude sin(2 pi frequency t + phase), amplitude [m] with direction, frequency [Hz], phase [rad].
 WallMotion oscillation(const Vec3& amplitude, double frequency, double phase = 0.0);

@@ -59,10 +59,10 @@ int Walls::addPatch(const std::string& name, int material)
     return static_cast<int>(patches.size()) - 1;
 }
 
-void Walls::addPlane(int patch, const Vec3& point, const Vec3& normal)
+void Walls::addPlane(int patch, const Vec3& point, const Vec3& normal, WallSides sides)
 {
     if (!(normal.norm() > 0.0)) throw invalidValue("wall normal", normal.transpose(), "a vector that is not zero");
-    regions.push_back({point, normal.normalized(), {}, patch, false});
+    regions.push_back({point, normal.normalized(), {}, patch, sides == WallSides::both});
 }
 
 void Walls::addPolygon(int patch, const std::vector<Vec3>& vertices)
@@ -146,17 +146,25 @@ WallProximity nearestPoint(const Walls& walls, int region, const Vec3& center)
     return {pose*near.point, pose.linear()*near.normal, near.distance, near.isInside};
 }
 
+WallPose poseAt(const WallPatch& patch, double time)
+{
+    if (!patch.motion) return patch.pose;
+    const WallPose pose = patch.motion(time);
+    const double distortion = (pose.linear()*pose.linear().transpose() - Eigen::Matrix3d::Identity()).norm();
+    if (!pose.translation().allFinite() || !(distortion < 1e-9) || pose.linear().determinant() < 0.0)
+    {
+        throw invalidValue
+        (
+            "motion of wall " + patch.name + " at time " + std::to_string(time), "no finite rigid displacement",
+            "a finite translation and a rotation"
+        );
+    }
+    return pose;
+}
+
 void moveWalls(Walls& walls, double time)
 {
-    for (WallPatch& patch : walls.patches)
-    {
-        if (!patch.motion) continue;
-        patch.pose = patch.motion(time);
-        if (!patch.pose.matrix().allFinite())
-        {
-            throw invalidValue("pose of wall " + patch.name + " at time " + std::to_string(time), "not finite", "a finite motion");
-        }
-    }
+    for (WallPatch& patch : walls.patches) patch.pose = poseAt(patch, time);
 }
 
 Eigen::AlignedBox3d bounds(const WallRegion& region)

@@ -60,7 +60,7 @@ struct Walls
     /// Adds a patch and returns its index.
     int addPatch(const std::string& name, int material);
     /// Adds an infinite plane through `point`; `normal` points to the grains and need not be of unit length.
-    void addPlane(int patch, const Vec3& point, const Vec3& normal);
+    void addPlane(int patch, const Vec3& point, const Vec3& normal, WallSides sides = WallSides::one);
     /// Adds a planar polygon with vertices counter-clockwise seen from the side of the grains.
     void addPolygon(int patch, const std::vector<Vec3>& vertices);
     /// Adds a triangulated surface, one region a triangle. Triangles that are slivers to round-off (height below 1e-12 of their
@@ -92,8 +92,12 @@ WallProximity nearestPoint(const WallRegion& region, const Vec3& center);
 /// At the present pose of the region's patch.
 WallProximity nearestPoint(const Walls& walls, int region, const Vec3& center);
 
+/// Pose of a patch at a time [s]; where it is now if it does not move.
+/// Errors: std::invalid_argument for a motion that gives what is not a finite rigid displacement, naming the patch
+WallPose poseAt(const WallPatch& patch, double time);
+
 /// Sets all patches' poses to those at a time [s].
-/// Errors: std::invalid_argument for a pose that is not finite, naming the patch
+/// Errors: as poseAt()
 void moveWalls(Walls& walls, double time);
 
 /// Axis-aligned bounds of a finite region at its reference pose.
