@@ -44,11 +44,27 @@ void updatePair(ContactList& list, const Scene& scene, std::size_t slot, int a, 
     setSlot(list, slot, dx/distance, distance - sum);
 }
 
+/// Takes a normal's component along an axis out. Returns whether something is left: the walls at both ends of a 2D scene have none.
+bool flatten(Vec3& n, int axis)
+{
+    n[axis] = 0.0;
+    const double size = n.norm();
+    if (size < 1e-3)
+    {
+        n = Vec3::Unit((axis + 1) % 3);
+        return false;
+    }
+    n /= size;
+    return true;
+}
+
 void updateWall(ContactList& list, const Scene& scene, std::size_t slot, int a)
 {
     const WallProximity near = nearestPoint(scene.walls, list.wall[slot], list.position[a]);
     const bool isBehind = near.isInside && near.distance < backSide*list.radius[a];
-    setSlot(list, slot, near.normal, isBehind ? std::numeric_limits<double>::max() : near.distance - list.radius[a]);
+    Vec3 n = near.normal;
+    const bool isFacing = scene.grains.shape.emptyAxis < 0 || flatten(n, scene.grains.shape.emptyAxis);
+    setSlot(list, slot, n, isBehind || !isFacing ? std::numeric_limits<double>::max() : near.distance - list.radius[a]);
 }
 
 } // namespace

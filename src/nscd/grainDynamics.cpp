@@ -86,7 +86,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     {
         const Stopwatch watch(times.buildContacts);
         setFreeVelocities(list, grains, external, deltaT);
-        movingWalls.setVelocities(list);
+        movingWalls.setVelocities(list, grains.shape.emptyAxis);
         prepareSlots(list, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
         impulseDeltaT = deltaT;
     }

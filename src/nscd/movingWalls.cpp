@@ -63,7 +63,7 @@ Vec3 MovingWalls::velocity(int k, const Vec3& point, const Vec3& normal) const
     return v + surface - normal.dot(surface)*normal;
 }
 
-void MovingWalls::setVelocities(ContactList& list) const
+void MovingWalls::setVelocities(ContactList& list, int emptyAxis) const
 {
     for (std::size_t k = 0; k < list.movingSlots.size(); ++k)
     {
@@ -75,6 +75,7 @@ void MovingWalls::setVelocities(ContactList& list) const
             const Vec3 n = normal(list, slot);
             const Vec3 point = list.position[list.blocks[slot/blockLanes].a[slot % blockLanes]] - distance*n;
             v = velocity(walls_.regions[list.wall[slot]].patch, point, n);
+            if (emptyAxis >= 0) v[emptyAxis] = 0.0;
         }
         Eigen::Map<Vec3>(list.bodies[list.firstWallBody() + k].v) = v;
     }

@@ -29,8 +29,8 @@ public:
     /// Moves the walls there.
     void endStep();
 
-    /// Sets the velocities of the list's bodies at walls.
-    void setVelocities(ContactList& list) const;
+    /// Sets the velocities of the list's bodies at walls, none along `emptyAxis` if that is not -1.
+    void setVelocities(ContactList& list, int emptyAxis) const;
 
     /// How far each patch may go before a list made now is stale: this step and another, and a margin.
     std::vector<WallReach> reach

@@ -44,6 +44,12 @@ WallMotion translationBy(VectorOfTime displacement);
 WallMotion rotation(const Vec3& point, const Vec3& axis, double omega);
 WallMotion rotationBy(const Vec3& point, const Vec3& axis, ScalarOfTime angle);
 
+/// Integral from 0 to t of a speed: for walls whose speed is what is known, as rotationBy(point, axis, integralOf(omega)).
+/// By adaptive Simpson quadrature, to about 1e-12 of the time and the speed, kinks and jumps included; what lies behind is kept, and the
+/// result depends on t alone.
+ScalarOfTime integralOf(ScalarOfTime speed);
+VectorOfTime integralOf(VectorOfTime velocity);
+
 /// x = X + amplitude sin(2 pi frequency t + phase), amplitude [m] with direction, frequency [Hz], phase [rad].
 WallMotion oscillation(const Vec3& amplitude, double frequency, double phase = 0.0);
 

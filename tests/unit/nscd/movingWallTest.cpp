@@ -22,7 +22,8 @@ Scene onFloor(double friction)
     return scene;
 }
 
-double spinEnergyFactor() { return 2.0/7.0; }
+/// Share of a belt's speed that a sphere from rest takes on when it begins to roll: kappa/(1 + kappa).
+constexpr double rollingShare = 2.0/7.0;
 
 } // namespace
 
@@ -33,12 +34,12 @@ TEST(MovingWall, aBeltDragsASphere)
     Scene scene = onFloor(friction);
     scene.walls.setSurfaceMotion(0, nscd::belt(Vec3(speed, 0, 0.7)));  // what is normal to the wall is left out
     auto dynamics = scene.build();
-    const double slipping = spinEnergyFactor()*speed/(friction*gravity);
+    const double slipping = rollingShare*speed/(friction*gravity);
     for (int k = 1; k <= 400; ++k)
     {
         step(dynamics, scene.g, deltaT);
         const double t = k*deltaT;
-        const double expected = t < slipping ? friction*gravity*t : spinEnergyFactor()*speed;
+        const double expected = t < slipping ? friction*gravity*t : rollingShare*speed;
         ASSERT_NEAR(dynamics.grains().velocity[0][0], expected, 1e-9) << "time " << t;
         if (t > slipping) { ASSERT_NEAR(dynamics.grains().velocity[0][0] - radius*dynamics.grains().omega[0][1], speed, 1e-9); }
         const double weight = dynamics.grains().mass[0]*gravity;
@@ -48,8 +49,7 @@ TEST(MovingWall, aBeltDragsASphere)
     EXPECT_NEAR(dynamics.grains().position[0][2], radius, 1e-12);
 }
 
-/// A grain that cannot turn (a pair side by side between frictionless walls would do; here three on the belt) ends at the belt's speed.
-TEST(MovingWall, aTurningSurfaceSpinsASphereAboveItsCenter)
+TEST(MovingWall, aTurningSurfaceDragsAlongItsCircle)
 {
     Scene scene = onFloor(0.5);
     scene.walls.setSurfaceMotion(0, nscd::turningSurface(Vec3(0, 0, 0), Vec3(0, 0, 5)));
@@ -58,7 +58,7 @@ TEST(MovingWall, aTurningSurfaceSpinsASphereAboveItsCenter)
     step(dynamics, scene.g, deltaT);
     // Drawn along the circle: velocity of the surface is (0, 5*0.02, 0); a sphere from rest gets 2/7 of it at most.
     EXPECT_NEAR(dynamics.grains().velocity[0][0], 0, 1e-12);
-    EXPECT_NEAR(dynamics.grains().velocity[0][1], std::min(0.5*gravity*deltaT, 0.1*spinEnergyFactor()), 1e-12);
+    EXPECT_NEAR(dynamics.grains().velocity[0][1], std::min(0.5*gravity*deltaT, 0.1*rollingShare), 1e-12);
 }
 
 TEST(MovingWall, aLidComesDownAndPressesNothingThrough)
@@ -258,6 +258,23 @@ TEST(MovingWall, restartsToTheBitFromTimeAlone)
         ASSERT_EQ(other.wallTorque()[paddle], dynamics.wallTorque()[paddle]);
     }
     EXPECT_GT(dynamics.wallForce()[paddle].norm(), 0);
+}
+
+TEST(MovingWall, speedsAreIntegrated)
+{
+    const nscd::ScalarOfTime ramp = nscd::integralOf([](double t) { return t < 0.3137 ? 2*t : 0.6274; });
+    const nscd::ScalarOfTime sine = nscd::integralOf([](double t) { return std::sin(50*t); });
+    const nscd::ScalarOfTime jump = nscd::integralOf([](double t) { return t < 0.5 ? 0.0 : 1.0; });
+    const nscd::VectorOfTime constant = nscd::integralOf([](double) { return Vec3(1, 2, 3); });
+    for (double t : {2.0, 0.7, 0.1, 0.3137, 0.0, -0.2})
+    {
+        EXPECT_NEAR(ramp(t), t < 0.3137 ? t*t : 0.3137*0.3137 + 0.6274*(t - 0.3137), 1e-12);
+        EXPECT_NEAR(sine(t), (1 - std::cos(50*t))/50, 1e-12);
+        EXPECT_NEAR(jump(t), std::max(0.0, t - 0.5), 1e-12);
+        EXPECT_NEAR((constant(t) - t*Vec3(1, 2, 3)).norm(), 0, 1e-12);
+    }
+    // What was asked before does not matter to the bit.
+    EXPECT_EQ(nscd::integralOf([](double t) { return std::sin(50*t); })(0.7), sine(0.7));
 }
 
 TEST(MovingWall, refusesWhatIsNoMotion)
