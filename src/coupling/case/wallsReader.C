@@ -28,7 +28,8 @@ std::function<Type(double)> readFunction(const CheckedDict& given, const word& k
     {
         fail({given.place(keyword), "is missing", string::null, "a constant or a function of time, as table ((0 0) (1 2.5))"});
     }
-    given.found(keyword + "Coeffs");
+    const word coefficients(keyword + "Coeffs");
+    if (given.dict().found(coefficients)) given.found(coefficients);
     const std::shared_ptr<const Function1<Type>> function(Function1<Type>::New(keyword, given.dict()).release());
     if (!(mag(function->value(0)) < VGREAT)) given.reject(keyword, "is not finite at time 0");
     return [function](double time) { return function->value(time); };
