@@ -18,13 +18,13 @@ using nscd::Vec3;
 namespace
 {
 
-const std::string plane = "type plane; point (0 0 1); normal (0 0 -1); ";
+const std::string lidPlane = "type plane; point (0 0 1); normal (0 0 -1); ";
 
 /// The walls of a box of one cell with a plane `lid` of `walls`.
 nscd::Walls withLid(const std::string& more)
 {
     BoxMesh box;
-    return wallsOf(box, "walls { lid { " + plane + more + " } }");
+    return wallsOf(box, "walls { lid { " + lidPlane + more + " } }");
 }
 
 std::string complaintAboutLid(const std::string& more)
@@ -117,5 +117,5 @@ TEST(FreeWalls, badOnesAreRefusedInWords)
     EXPECT_TRUE(holds(complaintAboutWalls("a { type stl; file \"" + bad.path + "\"; }"), {"walls.a.file", "line 6", "'vertex'"}));
     BoxMesh box;
     const std::string name = box.mesh().boundaryMesh()[0].name();
-    EXPECT_TRUE(holds(complaintAboutWalls(name + " { " + plane + " }"), {"walls." + name, "another wall"}));
+    EXPECT_TRUE(holds(complaintAboutWalls(name + " { " + lidPlane + " }"), {"walls." + name, "another wall"}));
 }
