@@ -24,18 +24,17 @@ constexpr double nearShare = 0.1;
 bool isSolvedHere(int here, int other) { return ((here + other) % 2 == 0) == (here < other); }
 
 /// Walls near each body, as candidates that follow the body's pairs.
-std::vector<Candidate> findWalls(const ContactList& list, const std::vector<double>& reach, const Scene& scene)
+std::vector<Candidate> findWalls(const ContactList& list, const std::vector<double>& reach, const WallSearch& search)
 {
     std::vector<Candidate> found;
-    if (scene.walls.regions.empty() || list.owned() == 0) return found;
-    const double largest = *std::max_element(list.radius.begin(), list.radius.begin() + list.owned());
-    const WallSearch search(scene.walls, 4.0*largest);
+    std::vector<double> patchReach;
+    for (const WallReach& wall : list.wallReach) patchReach.push_back(wall.distance);
     std::vector<int> regions;
     for (int body = 0; body < list.owned(); ++body)
     {
         if (list.inverseMass[body] == 0.0) continue;
         regions.clear();
-        search.find(list.position[body], list.radius[body] + reach[body], regions);
+        search.find(list.position[body], list.radius[body] + reach[body], regions, patchReach);
         for (int region : regions) found.push_back({body, -1, region, {0, 0, 0}});
     }
     return found;
@@ -45,7 +44,8 @@ std::vector<Candidate> findWalls(const ContactList& list, const std::vector<doub
 
 Candidates findCandidates
 (
-    const ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene
+    const ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
+    const WallSearch& wallSearch
 )
 {
     std::vector<double> size(reach.size());
@@ -53,7 +53,7 @@ Candidates findCandidates
     const double largest = size.empty() ? 0.0 : *std::max_element(list.radius.begin(), list.radius.end());
 
     const std::vector<BodyPair> pairs = findPairs(list.position, size, scene.box, largest);
-    const std::vector<Candidate> walls = findWalls(list, reach, scene);
+    const std::vector<Candidate> walls = findWalls(list, reach, wallSearch);
 
     Candidates found;
     found.inner.reserve(pairs.size() + walls.size());
@@ -78,7 +78,7 @@ Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::
     std::stable_partition(order.begin(), order.end(), [&](std::size_t k)
     {
         const Candidate& c = candidates[k];
-        if (c.wall >= 0) return nearestPoint(scene.walls.regions[c.wall], list.position[c.a]).distance < list.radius[c.a] + near;
+        if (c.wall >= 0) return nearestPoint(scene.walls, c.wall, list.position[c.a]).distance < list.radius[c.a] + near;
         Vec3 dx = list.position[c.a] - list.position[c.b];
         for (int axis = 0; axis < 3; ++axis) dx[axis] -= c.image[axis]*scene.box.length[axis];
         return dx.norm() < list.radius[c.a] + list.radius[c.b] + near;

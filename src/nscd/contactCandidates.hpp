@@ -24,7 +24,8 @@ struct Candidates
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 Candidates findCandidates
 (
-    const ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene
+    const ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
+    const WallSearch& wallSearch
 );
 
 /// Packs candidates into blocks, near ones into blocks of their own, so that blocks of far ones can be left out of sweeps.

@@ -5,8 +5,8 @@
 #include "contactList.hpp"
 
 #include "invalidValue.hpp"
+#include "wallContacts.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace nscd
@@ -17,8 +17,6 @@ namespace
 
 /// A wall whose plane lies further behind the center than this share of the radius is seen from its back: no contact.
 constexpr double backSide = -0.5;
-/// Two wall points nearer than this share of the radius are one point.
-constexpr double samePoint = 1e-6;
 
 void refuseCoincident(const ContactList& list, int a, int b)
 {
@@ -84,36 +82,27 @@ void updatePairs(ContactList& list, const Scene& scene, std::size_t k)
     }
 }
 
-void updateWall(ContactList& list, const Scene& scene, std::size_t slot, int a)
+/// Takes a normal's component along an axis out. Returns whether something is left: the walls at both ends of a 2D scene have none.
+bool flatten(Vec3& n, int axis)
 {
-    const WallProximity near = nearestPoint(scene.walls.regions[list.wall[slot]], list.position[a]);
-    const bool isBehind = near.isInside && near.distance < backSide*list.radius[a];
-    setSlot(list, slot, near.normal, isBehind ? std::numeric_limits<double>::max() : near.distance - list.radius[a]);
+    n[axis] = 0.0;
+    const double size = n.norm();
+    if (size < 1e-3)
+    {
+        n = Vec3::Unit((axis + 1) % 3);
+        return false;
+    }
+    n /= size;
+    return true;
 }
 
-/// Where two regions meet, a grain must feel their common edge once, and not at all while it touches a face that holds it.
-void suppressSharedEdges(ContactList& list, const Scene& scene, const int* first, const int* last)
+void updateWall(ContactList& list, const Scene& scene, std::size_t slot, int a)
 {
-    for (const int* k = first; k != last; ++k)
-    {
-        const int body = list.blocks[*k/blockLanes].a[*k % blockLanes];
-        const Vec3& center = list.position[body];
-        const WallProximity edge = nearestPoint(scene.walls.regions[list.wall[*k]], center);
-        if (edge.isInside) continue;
-        for (const int* other = first; other != last; ++other)
-        {
-            if (other == k) continue;
-            const WallRegion& region = scene.walls.regions[list.wall[*other]];
-            const WallProximity fromEdge = nearestPoint(region, edge.point);
-            if (std::abs(fromEdge.distance) > samePoint*list.radius[body]) continue;
-            const WallProximity face = nearestPoint(region, center);
-            if (face.isInside || other < k)
-            {
-                list.gap[*k] = std::numeric_limits<double>::max();
-                break;
-            }
-        }
-    }
+    const WallProximity near = nearestPoint(scene.walls, list.wall[slot], list.position[a]);
+    const bool isBehind = near.isInside && near.distance < backSide*list.radius[a];
+    Vec3 n = near.normal;
+    const bool isFacing = scene.grains.shape.emptyAxis < 0 || flatten(n, scene.grains.shape.emptyAxis);
+    setSlot(list, slot, n, isBehind || !isFacing ? std::numeric_limits<double>::max() : near.distance - list.radius[a]);
 }
 
 } // namespace
@@ -122,11 +111,7 @@ void updateGeometry(ContactList& list, const Scene& scene)
 {
     for (std::size_t k = 0; k < list.blocks.size(); ++k) updatePairs(list, scene, k);
     for (std::size_t slot : list.slotsOfWalls) updateWall(list, scene, slot, list.blocks[slot/blockLanes].a[slot % blockLanes]);
-    for (std::size_t group = 0; group + 1 < list.wallSlotStart.size(); ++group)
-    {
-        const int* slots = list.wallSlots.data();
-        suppressSharedEdges(list, scene, slots + list.wallSlotStart[group], slots + list.wallSlotStart[group + 1]);
-    }
+    suppressGhosts(list, scene);
 }
 
 } // namespace nscd

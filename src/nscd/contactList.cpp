@@ -158,6 +158,32 @@ void appendBlocks(ContactList& list, const Scene& scene, const std::vector<Candi
     }
 }
 
+/// Makes all bodies, and names those that candidates with walls meet.
+void addWallBodies(ContactList& list, const Scene& scene, std::vector<Candidate>& candidates)
+{
+    int next = list.firstWallBody();
+    for (Candidate& c : candidates)
+    {
+        if (c.wall >= 0 && scene.walls.patches[scene.walls.regions[c.wall].patch].hasVelocity()) c.b = next++;
+    }
+    list.bodies.assign(next + 1, Body{});
+    for (Candidate& c : candidates)
+    {
+        if (c.b < 0) c.b = list.staticBody();
+    }
+}
+
+void findMovingSlots(ContactList& list, const std::vector<Candidate>& candidates, const Batches& batches)
+{
+    list.movingSlots.resize(list.staticBody() - list.firstWallBody());
+    if (list.movingSlots.empty()) return;
+    for (std::size_t k = 0; k < candidates.size(); ++k)
+    {
+        const int body = candidates[k].b - list.firstWallBody();
+        if (candidates[k].wall >= 0 && candidates[k].b < list.staticBody()) list.movingSlots[body] = batches.slotOf[k];
+    }
+}
+
 /// Groups the slots of outlined walls by body, for bodies near more than one.
 void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, const Batches& batches)
 {
@@ -205,13 +231,18 @@ int ContactList::grain(int body) const
     return body < halo.firstCopy() ? body : grainOf[halo.copied()[body - halo.firstCopy()]];
 }
 
-ContactList buildContactList(const Scene& scene, const std::vector<double>& reach, double diameter, Exchange& exchange)
+ContactList buildContactList
+(
+    const Scene& scene, const WallSearch& wallSearch, const std::vector<double>& reach, std::vector<WallReach> wallReach,
+    double diameter, Exchange& exchange
+)
 {
     ContactList list;
+    list.wallReach = std::move(wallReach);
     sortBodies(list, scene.grains, reach, diameter);
     const std::vector<GhostGrain> ghosts = exchange.findGhosts(scene.grains, reach, scene.box);
     const std::vector<double> reachOfAll = addGhosts(list, ghosts);
-    Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene);
+    Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene, wallSearch);
     if (exchange.isParallel())
     {
         dropGhosts(list);
@@ -219,14 +250,14 @@ ContactList buildContactList(const Scene& scene, const std::vector<double>& reac
         addGhosts(list, list.ghosts);
         joinHalo(list, candidates.interface, exchange);
     }
-    list.bodies.assign(list.position.size() + 1, Body{});
-    for (Candidate& c : candidates.inner) c.b = c.wall >= 0 ? list.staticBody() : c.b;
+    addWallBodies(list, scene, candidates.inner);
 
     Batches inner = batchNearAndFar(list, scene, candidates.inner, diameter);
     Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
     reserveBlocks(list, scene, inner.blocks + interface.blocks);
     appendBlocks(list, scene, candidates.inner, inner);
     groupWallSlots(list, scene, candidates.inner, inner);
+    findMovingSlots(list, candidates.inner, inner);
     list.interfaceBlock = list.blocks.size();
     appendBlocks(list, scene, candidates.interface, interface);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)

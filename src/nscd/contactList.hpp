@@ -9,7 +9,7 @@
 #include "halo.hpp"
 #include "materials.hpp"
 #include "periodicBox.hpp"
-#include "walls.hpp"
+#include "wallSearch.hpp"
 
 #include <array>
 #include <vector>
@@ -17,8 +17,16 @@
 namespace nscd
 {
 
-/// Bodies are numbered as Halo says; own ones are the grains sorted along a space-filling curve; one static body for all walls
-/// comes last. A slot is a lane of a block; unused slots join the static body to itself.
+/// What a list allows a moving wall patch to move before it is stale.
+struct WallReach
+{
+    double distance = 0.0;                  ///< [m]; 0 where the patch does not move
+    Eigen::AlignedBox3d box;                ///< around the part of the patch that grains can meet, at the identity pose
+    WallPose poseAtBuild = WallPose::Identity();
+};
+
+/// Bodies are numbered as Halo says; own ones are the grains sorted along a space-filling curve; behind them one for each contact
+/// with a wall that moves, which carries the wall's velocity at the contact; one static body for all other walls comes last. A slot is a lane of a block; unused slots join the static body to itself.
 struct ContactList
 {
     // Per own body.
@@ -31,7 +39,7 @@ struct ContactList
     std::vector<double> radius;
     std::vector<double> inverseMass;        ///< 0 where held; without drag, and not split among ranks [1/kg]
     std::vector<std::int64_t> id;
-    std::vector<Body> bodies;               ///< one more: the static body
+    std::vector<Body> bodies;               ///< further ones: at walls that move, and the static body
 
     std::vector<GhostGrain> ghosts;         ///< those that contacts here need
     std::vector<GhostGrain> solvedElsewhere;  ///< others nearby
@@ -50,9 +58,12 @@ struct ContactList
     std::size_t candidates = 0;             ///< on this rank
     std::vector<std::uint32_t> slotsOfWalls;  ///< all contacts with walls, ascending
     std::vector<int> wallSlots;             ///< slots of outlined walls, grouped by body, for the suppression of ghost contacts
+    std::vector<std::size_t> movingSlots;   ///< slot of each body at a wall that moves
+    std::vector<WallReach> wallReach;       ///< per patch; empty if none moves
     std::vector<int> wallSlotStart;         ///< group k is wallSlots[wallSlotStart[k] .. wallSlotStart[k+1])
 
     int owned() const { return static_cast<int>(grainOf.size()); }
+    int firstWallBody() const { return static_cast<int>(position.size()); }
     int staticBody() const { return static_cast<int>(bodies.size()) - 1; }
     std::size_t slots() const { return gap.size(); }
     bool isUsed(std::size_t slot) const { return blocks[slot/blockLanes].a[slot % blockLanes] != staticBody(); }
@@ -77,7 +88,11 @@ struct Scene
 
 /// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
-ContactList buildContactList(const Scene& scene, const std::vector<double>& reach, double diameter, Exchange& exchange);
+ContactList buildContactList
+(
+    const Scene& scene, const WallSearch& wallSearch, const std::vector<double>& reach, std::vector<WallReach> wallReach,
+    double diameter, Exchange& exchange
+);
 
 /// Recomputes normals and gaps at the present positions.
 /// Errors: std::invalid_argument for coincident centers, naming the grains

@@ -77,18 +77,22 @@ void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT,
 ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT)
 {
     std::vector<Vec3> force(list.bodies.size(), Vec3::Zero()), torque = force;
-    std::vector<Vec3> wall(scene.walls.patches.size(), Vec3::Zero());
-    const auto addLane = [&](const ContactBlock& block, int lane, int region)
+    const std::size_t patches = scene.walls.patches.size();
+    std::vector<Vec3> wall(2*patches, Vec3::Zero());  // forces, then torques: summed over ranks together
+    const auto addLane = [&](const ContactBlock& block, int lane, std::size_t slot)
     {
         const Vec3 onA = Vec3(block.r[0][lane], block.r[1][lane], block.r[2][lane])/deltaT;
         if (onA == Vec3::Zero()) return;
         const Vec3 moment = Vec3(block.n[0][lane], block.n[1][lane], block.n[2][lane]).cross(onA);
-        const int a = block.a[lane], b = block.b[lane];
+        const int a = block.a[lane], b = block.b[lane], region = list.wall[slot];
         force[a] += onA;
         torque[a] -= list.radius[a]*moment;
         if (region >= 0)
         {
-            wall[scene.walls.regions[region].patch] -= onA;
+            const int patch = scene.walls.regions[region].patch;
+            const Vec3 point = list.position[a] - (list.radius[a] + list.gap[slot])*normal(list, slot);
+            wall[patch] -= onA;
+            wall[patches + patch] -= (point - scene.walls.patches[patch].torquePoint).cross(onA);
             return;
         }
         force[b] -= onA;
@@ -96,13 +100,14 @@ ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const
     };
     for (std::size_t k = 0; k < loaded.count; ++k)
     {
-        for (int lane = 0; lane < blockLanes; ++lane) addLane(list.blocks[loaded[k]], lane, list.wall[loaded[k]*blockLanes + lane]);
+        for (int lane = 0; lane < blockLanes; ++lane) addLane(list.blocks[loaded[k]], lane, loaded[k]*blockLanes + lane);
     }
     list.halo.take(force);
     list.halo.take(torque);
     if (!wall.empty()) list.halo.sum(wall.front().data(), 3*static_cast<int>(wall.size()));
 
-    ContactForces sums{std::vector<Vec3>(list.owned()), std::vector<Vec3>(list.owned()), std::move(wall)};
+    const auto middle = wall.begin() + static_cast<std::ptrdiff_t>(patches);
+    ContactForces sums{std::vector<Vec3>(list.owned()), std::vector<Vec3>(list.owned()), {wall.begin(), middle}, {middle, wall.end()}};
     for (int body = 0; body < list.owned(); ++body)
     {
         sums.force[list.grainOf[body]] = force[body];
@@ -111,9 +116,9 @@ ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const
     return sums;
 }
 
-bool coversMotion(const ContactList& list, double deltaT)
+bool coversMotion(const ContactList& list, double deltaT, bool areWallsCovered)
 {
-    bool isCovered = true;
+    bool isCovered = areWallsCovered;
     for (int body = 0; body < list.owned() && isCovered; ++body)
     {
         const Vec3 travel = list.position[body] - list.positionAtBuild[body] + deltaT*Vec3(list.bodies[body].v);

@@ -23,17 +23,19 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
 /// Warm start: impulses times impulseScale = dt_new/dt_old, tangential part turned into the new tangent plane and friction disc.
 void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT, double deadBand, double impulseScale);
 
-/// Sums the impulses of the blocks `loaded`: force on each own grain [N], torque on it [N m], force of all ranks' grains on each wall patch [N].
+/// Sums the impulses of the blocks `loaded`: force on each own grain [N], torque on it [N m]; force of all ranks' grains on each wall
+/// patch [N], and its torque about the patch's torquePoint [N m].
 struct ContactForces
 {
     std::vector<Vec3> force;
     std::vector<Vec3> torque;
     std::vector<Vec3> wall;
+    std::vector<Vec3> wallTorque;
 };
 ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT);
 
-/// Whether every body stays within its reach if it moves on with its present velocity for deltaT.
-bool coversMotion(const ContactList& list, double deltaT);
+/// Whether every body stays within its reach if it moves on with its present velocity for deltaT, and `areWallsCovered` on all ranks.
+bool coversMotion(const ContactList& list, double deltaT, bool areWallsCovered);
 
 /// Copies velocities from bodies to grains.
 void copyVelocities(const ContactList& list, Grains& grains);

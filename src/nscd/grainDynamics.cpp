@@ -35,7 +35,17 @@ void GrainDynamics::Implementation::measureDiameter()
 void GrainDynamics::Implementation::clearForces()
 {
     const std::vector<Vec3> none(grains.size(), Vec3::Zero());
-    forces = {none, none, std::vector<Vec3>(walls.patches.size(), Vec3::Zero())};
+    const std::vector<Vec3> noneOnWalls(walls.patches.size(), Vec3::Zero());
+    forces = {none, none, noneOnWalls, noneOnWalls};
+}
+
+/// Its cells are a few grains wide; made anew only where the grains have become others.
+void GrainDynamics::Implementation::makeWallSearch()
+{
+    double largest = 0.0;
+    for (double radius : grains.radius) largest = std::max(largest, radius);
+    const bool isFitting = wallSearch && wallSearch->cellSize() >= 2.0*largest && wallSearch->cellSize() <= 8.0*largest;
+    if (!isFitting) wallSearch = std::make_unique<WallSearch>(walls, largest > 0.0 ? 4.0*largest : diameter);
 }
 
 void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity)
@@ -55,7 +65,8 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
         reach[i] = 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
     }
     list = ContactList();  // two at a time would be the peak of the memory
-    list = buildContactList(scene(), reach, diameter, *exchange);
+    makeWallSearch();
+    list = buildContactList(scene(), *wallSearch, reach, movingWalls.reach(*wallSearch, grains, reach, diameter), diameter, *exchange);
     updateGeometry(list, scene());
     assignImpulses(list, std::move(impulses), *exchange);
     isListStale = false;
@@ -74,7 +85,11 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
 {
     {
         const Stopwatch watch(times.buildContacts);
-        do setFreeVelocities(list, grains, external, deltaT, sleep);
+        do
+        {
+            setFreeVelocities(list, grains, external, deltaT, sleep);
+            movingWalls.setVelocities(list, grains.shape.emptyAxis);
+        }
         while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()));
         prepareSlots(list, kernels, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
         impulseDeltaT = deltaT;
@@ -101,7 +116,7 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
 {
     SolveReport report = solveAndWake(external);
     // Grains that turn out faster than the list allows for could pass one another unseen: list and solve again.
-    for (int attempt = 0; !coversMotion(list, deltaT); ++attempt)
+    for (int attempt = 0; !coversStep(); ++attempt)
     {
         if (attempt == maxListRebuilds) throw std::runtime_error("contact list cannot follow the grains; use a smaller time step");
         std::vector<Vec3> velocity(grains.size());
@@ -166,7 +181,7 @@ void GrainDynamics::Implementation::wakeDisturbed(const ExternalForces& external
     const bool wasEverybodyAsleep = sleep.isEverybodyAsleep();
     sleep.wakeByForces(grains, external, deltaT);
     // The list was not looked at when the step began.
-    if (wasEverybodyAsleep && !coversMotion(list, deltaT)) rebuildList(grains.velocity);
+    if (wasEverybodyAsleep && !coversStep()) rebuildList(grains.velocity);
 }
 
 StepReport GrainDynamics::Implementation::restingReport() const
@@ -183,11 +198,13 @@ void GrainDynamics::beginStep(double deltaT)
 {
     if (!(deltaT > 0.0) || !std::isfinite(deltaT)) throw invalidValue("time step", deltaT, "a finite value > 0 s");
     Implementation& self = *self_;
-    if (deltaT != self.deltaT) self.sleep.wakeAll();
+    const bool haveJumped = self.movingWalls.beginStep(deltaT);
+    if (deltaT != self.deltaT || haveJumped || self.movingWalls.isAnyMoving()) self.sleep.wakeAll();
     self.deltaT = deltaT;
     if (self.sleep.isEverybodyAsleep()) return;
     if (self.isListStale) self.measureDiameter();
-    if (self.isListStale || !coversMotion(self.list, deltaT)) self.rebuildList(self.grains.velocity);
+    if (self.isListStale || !self.coversStep()) self.rebuildList(self.grains.velocity);
+    else if (haveJumped) updateGeometry(self.list, self.scene());
 }
 
 bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->list.candidates > 0); }
@@ -222,7 +239,11 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
 {
     Implementation& self = *self_;
     self.wakeDisturbed(external);
-    if (self.sleep.isEverybodyAsleep()) return self.restingReport();
+    if (self.sleep.isEverybodyAsleep())
+    {
+        self.movingWalls.endStep();
+        return self.restingReport();
+    }
     StepReport report;
     const double findPairsBefore = self.times.findPairs;
     report.solve = self.solveVelocities(external);
@@ -233,6 +254,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     self.forces = self.contactForces();
     report.maxDisplacement = moveGrains(self.list, self.grains, self.box, self.deltaT, self.isFrictional)/self.diameter;
     if (self.materials.anyRestitution()) self.rebound(external, report.solve);
+    self.movingWalls.endStep();
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);
     if (self.settings.sleep && !self.exchange->isParallel())

@@ -103,6 +103,16 @@ public:
     /// Force of the grains on each wall patch over the last step [N].
     const std::vector<Vec3>& wallForce() const;
 
+    /// Torque of the grains on each wall patch about the patch's torquePoint over the last step [N m].
+    const std::vector<Vec3>& wallTorque() const;
+
+    /// The walls where they are now.
+    const Walls& walls() const;
+    /// The time that the motions of walls are functions of, at the end of the last step [s]; steps move it on from 0. A restart sets
+    /// it before its first step; who has a clock of his own may set it before every step, lest sums of steps drift apart.
+    double time() const;
+    void setTime(double time);
+
     /// All contacts solved on this rank that carried an impulse in the last step; empty before the first one and after checkpoint().
     std::vector<LoadedContact> contacts() const;
 

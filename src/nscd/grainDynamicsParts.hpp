@@ -8,6 +8,7 @@
 #include "contactSolver.hpp"
 #include "contactStep.hpp"
 #include "grainDynamics.hpp"
+#include "movingWalls.hpp"
 #include "storedImpulses.hpp"
 
 namespace nscd
@@ -26,6 +27,9 @@ struct GrainDynamics::Implementation
     SweepKernels kernels;
     bool isFrictional;
     double diameter = 1.0;
+
+    MovingWalls movingWalls{walls};
+    std::unique_ptr<WallSearch> wallSearch;
 
     ContactList list;
     bool isListStale = true;
@@ -48,6 +52,8 @@ struct GrainDynamics::Implementation
     double deadBand() const { return settings.deadBand*diameter; }
 
     void measureDiameter();
+    void makeWallSearch();
+    bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list)); }
     void clearForces();
     void rebuildList(const std::vector<Vec3>& velocity);
     SolveReport solveVelocities(const ExternalForces& external);

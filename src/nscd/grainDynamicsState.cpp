@@ -22,6 +22,7 @@ GrainDynamics::GrainDynamics
     self_->grains.shrinkToFit();
     self_->materials = std::move(materials);
     self_->walls = std::move(walls);
+    self_->movingWalls.setTime(0.0);
     self_->box = box;
     self_->settings = settings;
     self_->exchange = std::move(exchange);
@@ -70,6 +71,10 @@ std::vector<double> GrainDynamics::loads() const
 const std::vector<Vec3>& GrainDynamics::contactForce() const { return self_->forces.force; }
 const std::vector<Vec3>& GrainDynamics::contactTorque() const { return self_->forces.torque; }
 const std::vector<Vec3>& GrainDynamics::wallForce() const { return self_->forces.wall; }
+const std::vector<Vec3>& GrainDynamics::wallTorque() const { return self_->forces.wallTorque; }
+const Walls& GrainDynamics::walls() const { return self_->walls; }
+double GrainDynamics::time() const { return self_->movingWalls.time(); }
+void GrainDynamics::setTime(double time) { self_->movingWalls.setTime(time); }
 const StepTimes& GrainDynamics::times() const { return self_->times; }
 
 std::vector<LoadedContact> GrainDynamics::contacts() const

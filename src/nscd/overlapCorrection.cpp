@@ -62,7 +62,7 @@ std::vector<double> pushMobility(const ContactList& list)
 {
     std::vector<double> mobility = list.inverseMass;
     for (std::size_t body = list.owned(); body < mobility.size(); ++body) mobility[body] *= list.halo.parts(static_cast<int>(body));
-    mobility.push_back(0.0);
+    mobility.resize(list.bodies.size(), 0.0);
     return mobility;
 }
 
@@ -70,9 +70,9 @@ std::vector<double> pushMobility(const ContactList& list)
 double sweepInterface(const ContactList& list, std::vector<Push>& pushes, const std::vector<double>& mobility, std::vector<Vec3>& shift)
 {
     list.halo.give(shift);
-    const std::vector<Vec3> given(shift.begin() + list.owned(), shift.end());
+    const std::vector<Vec3> given(shift.begin() + list.owned(), shift.begin() + list.firstWallBody());
     const double largest = sweepPushes(pushes, mobility, shift);
-    for (std::size_t k = 0; k + 1 < given.size(); ++k)
+    for (std::size_t k = 0; k < given.size(); ++k)
     {
         Vec3& x = shift[list.owned() + k];
         x = (x - given[k])/list.halo.parts(list.owned() + static_cast<int>(k));
@@ -100,7 +100,7 @@ int correctOverlaps(ContactList& list, const Scene& scene, double deepest, doubl
     while (++sweeps < maxCorrectionSweeps && change > 0.1*tolerance);
 
     list.halo.give(shift);
-    for (int body = 0; body < list.staticBody(); ++body) list.position[body] += shift[body];
+    for (int body = 0; body < list.firstWallBody(); ++body) list.position[body] += shift[body];
     updateGeometry(list, scene);
     return sweeps;
 }

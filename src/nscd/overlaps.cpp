@@ -120,7 +120,7 @@ std::vector<Overlap> wallOverlaps(const Grains& grains, const Walls& walls, doub
         const bool isPlane = region.edges.empty();
         const auto check = [&](std::size_t i)
         {
-            const double distance = nearestPoint(region, grains.position[i]).distance;
+            const double distance = nearestPoint(walls, static_cast<int>(w), grains.position[i]).distance;
             const double share = (grains.radius[i] - distance)/(2*grains.radius[i]);
             // Behind a bounded wall lies another part of the domain; behind a plane lies nothing.
             const bool isBehind = distance < 0 && !isPlane;
@@ -131,7 +131,7 @@ std::vector<Overlap> wallOverlaps(const Grains& grains, const Walls& walls, doub
             for (std::size_t i = 0; i < grains.size(); ++i) check(i);
             continue;
         }
-        Eigen::AlignedBox3d box = bounds(region);
+        Eigen::AlignedBox3d box = moved(bounds(region), walls.patches[region.patch].pose);
         box.min().array() -= maxRadius;
         box.max().array() += maxRadius;
         bins.forEachIn(box, check);

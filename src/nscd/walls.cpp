@@ -6,6 +6,7 @@
 
 #include "invalidValue.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace nscd
@@ -43,18 +44,25 @@ Vec3 nearestOnEdge(const WallEdge& edge, const Vec3& point)
     return edge.start + std::min(1.0, std::max(0.0, t))*direction;
 }
 
+/// A triangle whose normal is round-off.
+bool isSliver(const Triangle& t)
+{
+    const double longest2 = std::max({(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()});
+    return !((t[1] - t[0]).cross(t[2] - t[0]).norm() > 1e-12*longest2);
+}
+
 } // namespace
 
 int Walls::addPatch(const std::string& name, int material)
 {
-    patches.push_back({name, material});
+    patches.emplace_back(name, material);
     return static_cast<int>(patches.size()) - 1;
 }
 
-void Walls::addPlane(int patch, const Vec3& point, const Vec3& normal)
+void Walls::addPlane(int patch, const Vec3& point, const Vec3& normal, WallSides sides)
 {
     if (!(normal.norm() > 0.0)) throw invalidValue("wall normal", normal.transpose(), "a vector that is not zero");
-    regions.push_back({point, normal.normalized(), {}, patch});
+    regions.push_back({point, normal.normalized(), {}, patch, sides == WallSides::both});
 }
 
 void Walls::addPolygon(int patch, const std::vector<Vec3>& vertices)
@@ -69,14 +77,48 @@ void Walls::addPolygon(int patch, const std::vector<Vec3>& vertices)
         edges.push_back({vertices[k], next});
     }
     if (!(areaVector.norm() > 0.0)) throw invalidValue("wall polygon's area", areaVector.norm(), "> 0 m2");
-    regions.push_back({vertices[0], areaVector.normalized(), edges, patch});
+    regions.push_back({vertices[0], areaVector.normalized(), edges, patch, false});
+}
+
+std::size_t Walls::addTriangles(int patch, const std::vector<Triangle>& triangles, WallSides sides)
+{
+    std::size_t leftOut = 0;
+    regions.reserve(regions.size() + triangles.size());
+    for (const Triangle& t : triangles)
+    {
+        if (!t[0].allFinite() || !t[1].allFinite() || !t[2].allFinite())
+        {
+            throw invalidValue("vertex of a triangle of wall " + patches[patch].name, "not finite", "finite coordinates");
+        }
+        if (isSliver(t))
+        {
+            ++leftOut;
+            continue;
+        }
+        const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+        regions.push_back({t[0], normal, {{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}}, patch, sides == WallSides::both});
+    }
+    if (leftOut == triangles.size())
+    {
+        throw invalidValue("number of triangles with an area of wall " + patches[patch].name, 0, "> 0");
+    }
+    return leftOut;
+}
+
+bool Walls::anyMotion() const
+{
+    return std::any_of(patches.begin(), patches.end(), [](const WallPatch& patch) { return patch.hasVelocity(); });
 }
 
 WallProximity nearestPoint(const WallRegion& region, const Vec3& center)
 {
     const double height = region.normal.dot(center - region.point);
     const Vec3 foot = center - height*region.normal;
-    if (region.edges.empty() || isInsideOutline(region, foot)) return {foot, region.normal, height, true};
+    if (region.edges.empty() || isInsideOutline(region, foot))
+    {
+        if (region.isTwoSided && height < 0.0) return {foot, -region.normal, -height, true};
+        return {foot, region.normal, height, true};
+    }
 
     Vec3 nearest = foot;
     double nearest2 = std::numeric_limits<double>::max();
@@ -95,6 +137,36 @@ WallProximity nearestPoint(const WallRegion& region, const Vec3& center)
     return {nearest, normal, distance, false};
 }
 
+WallProximity nearestPoint(const Walls& walls, int region, const Vec3& center)
+{
+    const WallPatch& patch = walls.patches[walls.regions[region].patch];
+    if (!patch.motion) return nearestPoint(walls.regions[region], center);
+    const WallPose& pose = patch.pose;
+    const WallProximity near = nearestPoint(walls.regions[region], pose.linear().transpose()*(center - pose.translation()));
+    return {pose*near.point, pose.linear()*near.normal, near.distance, near.isInside};
+}
+
+WallPose poseAt(const WallPatch& patch, double time)
+{
+    if (!patch.motion) return patch.pose;
+    const WallPose pose = patch.motion(time);
+    const double distortion = (pose.linear()*pose.linear().transpose() - Eigen::Matrix3d::Identity()).norm();
+    if (!pose.translation().allFinite() || !(distortion < 1e-9) || pose.linear().determinant() < 0.0)
+    {
+        throw invalidValue
+        (
+            "motion of wall " + patch.name + " at time " + std::to_string(time), "no finite rigid displacement",
+            "a finite translation and a rotation"
+        );
+    }
+    return pose;
+}
+
+void moveWalls(Walls& walls, double time)
+{
+    for (WallPatch& patch : walls.patches) patch.pose = poseAt(patch, time);
+}
+
 Eigen::AlignedBox3d bounds(const WallRegion& region)
 {
     if (region.edges.empty()) throw invalidValue("wall region", "an infinite plane", "a region with edges");
@@ -105,6 +177,14 @@ Eigen::AlignedBox3d bounds(const WallRegion& region)
         box.extend(edge.end);
     }
     return box;
+}
+
+Eigen::AlignedBox3d moved(const Eigen::AlignedBox3d& box, const WallPose& pose)
+{
+    Eigen::AlignedBox3d result;
+    if (box.isEmpty()) return result;
+    for (int corner = 0; corner < 8; ++corner) result.extend(pose*box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+    return result;
 }
 
 } // namespace nscd

@@ -79,7 +79,7 @@ TEST(ExampleFile, showsEveryKeyword)
     const std::vector<std::string> paths =
     {
         "", "materials/glass", "contacts/default", "contacts/glass-steel", "planes/lid", "forces", "forces/drag",
-        "voidFraction", "timeStep", "solver", "parallel"
+        "voidFraction", "timeStep", "solver", "parallel", "walls/shaker/motion"
     };
     for (const std::string& path : paths)
     {
@@ -95,7 +95,7 @@ TEST(ExampleFile, showsEveryKeyword)
 TEST(ExampleFile, showsEveryKeywordOfSourcesAndPatchesInOneOfThem)
 {
     const dictionary example = exampleDict();
-    for (const char* list : {"grains", "patches"})
+    for (const char* list : {"grains", "patches", "walls"})
     {
         const wordList names = example.subDict(list).toc();
         Words shown, known;

@@ -34,6 +34,8 @@ PatchRule readPatchRule(const CheckedDict& patches, const keyType& name, const G
     {
         const bool mayInherit = properties.wallMaterial >= 0 && !given.found("material");
         rule.material = mayInherit ? properties.wallMaterial : readMaterial(given, "material", properties.materials);
+        rule.surfaceMotion = readSurfaceMotion(given);
+        rule.torquePoint = given.vec("torquePoint", dimLength, Zero);
     }
     given.finish();
     return rule;
@@ -226,6 +228,7 @@ GrainProperties readGrainProperties(const dictionary& dict)
     properties.materials = readMaterials(top);
     readPatches(top, properties);
     readPlanes(top, properties);
+    properties.walls = readWalls(top, properties);
     readSources(top, properties);
     properties.contact = readContactSettings(top);
     properties.maxLoadImbalance = readMaxLoadImbalance(top, properties.maxLoadImbalance);

@@ -85,6 +85,8 @@ void applyRule(const PatchRule& rule, const polyMesh& mesh, PatchRoles& roles)
         }
         roles.role[patchi] = rule.isExit ? PatchRole::exit : PatchRole::wall;
         roles.material[patchi] = rule.material;
+        roles.surfaceMotion[patchi] = rule.surfaceMotion;
+        roles.torquePoint[patchi] = rule.torquePoint;
     }
 }
 
@@ -219,6 +221,8 @@ PatchRoles assignPatchRoles(const GrainProperties& properties, const polyMesh& m
         roles.role.push_back(roleByType(patch, sizes[patch.index()] == 0, !properties.sources.empty()));
         roles.material.push_back(properties.wallMaterial);
     }
+    roles.surfaceMotion.resize(roles.role.size());
+    roles.torquePoint.resize(roles.role.size(), vector(Zero));
     // Exact names win over expressions, whatever their order, as everywhere in OpenFOAM.
     for (const bool isPattern : {true, false})
     {
@@ -259,6 +263,7 @@ nscd::GrainShape grainShape(const GrainProperties& properties, const polyMesh& m
     nscd::GrainShape shape;
     shape.dimensions = axis < 0 ? 3 : 2;
     if (axis >= 0) shape.thickness = mesh.bounds().span()[axis];
+    shape.emptyAxis = axis;
     return shape;
 }
 

@@ -44,6 +44,12 @@ string describeWalls(const GrainScene& scene, const polyMesh& mesh)
     return formatted("%s%s, %zu flat regions", patches.c_str(), planes.c_str(), scene.walls.regions.size());
 }
 
+/// Walls beside the mesh hold grains back and no fluid.
+bool areWallsUnseen(const GrainProperties& properties)
+{
+    return properties.solvesFluid && (!properties.walls.empty() || !properties.planes.empty());
+}
+
 string describeFluid(const GrainProperties& properties)
 {
     if (!properties.solvesFluid) return "none";
@@ -72,6 +78,7 @@ void logScene
     line("grains", describeGrains(grains, scene.space.shape));
     if (isRestart) line("", "from time " + mesh.time().timeName() + "; `grains` of grainProperties are for a new start only");
     line("walls", describeWalls(scene, mesh));
+    if (areWallsUnseen(properties)) line("", "those of `walls` and `planes` are for the grains alone: the fluid flows through them");
     line("exits", namesOf(scene.roles.ofRole(PatchRole::exit), mesh));
     line("periodic", namesOf(scene.roles.ofRole(PatchRole::periodic), mesh));
     line("contacts", formatted

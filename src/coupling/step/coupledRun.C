@@ -35,6 +35,7 @@ bool CoupledRun::nextStep()
 {
     if (!time_.run()) return false;
     if (reach_.isKnown) adjustTimeStep(time_, reach_, properties_.time.maxGrainDisplacement);
+    dynamics_->setTime(time_.value());
     ++time_;
     balanceRanks();
     if (hasFluid()) immersion_->sources.beginStep();

@@ -88,6 +88,7 @@ void CoupledRun::reportStep()
     const auto timer = timing_.time(StepPart::reportStep);
     const StepRow row = describeStep();
     report_->write(row);
+    if (wallOutput_) wallOutput_->report(row.time, *dynamics_);
     log_.step(row, describeFluid());
     reach_.isKnown = true;
     if (time_.writeTime()) write();
@@ -107,6 +108,9 @@ void CoupledRun::write()
         if (hasFluid() && hasGrains()) std::copy(immersion_->mapping->cells().begin(), immersion_->mapping->cells().end(), cells.begin());
         writeGrainState(mesh_, state, properties_.materials.table, cells);
     }
+    if (!wallOutput_) return;
+    dynamics_->setTime(time_.value());  // without grains nobody else does
+    wallOutput_->writePictures(time_, dynamics_->walls());
 }
 
 void CoupledRun::finish() const { log_.finish(timing_); }

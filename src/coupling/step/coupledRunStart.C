@@ -66,6 +66,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     startHomes();
     if (properties_.solvesFluid) startFluid();
     report_ = std::make_unique<GrainReport>(time);
+    if (!properties_.walls.empty() || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
     logScene(Info, properties_, scene_, sumGrains(dynamics_->grains(), *ranks_.exchange()), mesh, hasGrainState(mesh));
 }
 

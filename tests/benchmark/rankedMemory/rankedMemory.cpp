@@ -120,7 +120,10 @@ void tellList(const Table& table, const Scene& scene, const nscd::Grains& grains
         reach.push_back(0.5*nscd::ContactSettings().skin*diameter + 2.0*deltaT*std::max(v.norm(), speed));
     }
     const double before = allocated;
-    const nscd::ContactList list = nscd::buildContactList({grains, scene.materials, scene.walls, scene.box}, reach, diameter, exchange);
+    const nscd::ContactList list = nscd::buildContactList
+    (
+        {grains, scene.materials, scene.walls, scene.box}, nscd::WallSearch(scene.walls, diameter), reach, {}, diameter, exchange
+    );
     table.row("list: candidates (a number)", static_cast<double>(list.candidates));
     table.row("list: slots (a number)", static_cast<double>(list.slots()));
     table.row("list: blocks", bytesOf(list.blocks));

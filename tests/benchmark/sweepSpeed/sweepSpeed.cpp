@@ -58,7 +58,7 @@ struct FrozenProblem
         const nscd::Scene parts{scene.grains, scene.materials, scene.walls, scene.box};
         const nscd::ContactSettings settings;
         const std::vector<double> reach(scene.grains.size(), settings.skin*radius);
-        list = nscd::buildContactList(parts, reach, 2.0*radius, serial);
+        list = nscd::buildContactList(parts, nscd::WallSearch(scene.walls, 2.0*radius), reach, {}, 2.0*radius, serial);
         nscd::updateGeometry(list, parts);
         nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, scene.g, deltaT), deltaT, nscd::IslandSleep());
         nscd::prepareSlots(list, nscd::chooseKernels("auto"), deltaT, settings.deadBand*2.0*radius, 1.0);
