@@ -116,10 +116,12 @@ void prepareSlots(ContactList& list, double deltaT, double deadBand, double impu
     {
         if (setLaws(list, k, deltaT, deadBand)) list.awake.push_back(static_cast<std::uint32_t>(k));
     }
+    if (!list.cohesion.empty()) applyCohesion(list, deltaT, deadBand);
     for (std::uint32_t k : list.awake)
     {
         for (int lane = 0; lane < blockLanes; ++lane) startWarm(list, k*blockLanes + lane, impulseScale);
     }
+    if (!list.rolling.empty()) startRolling(list, impulseScale);
     list.halo.takeVelocities(list.bodies);
 }
 
@@ -146,6 +148,8 @@ ContactForces sumContactForces(const ContactList& list, const Scene& scene, doub
         force[b] -= onA;
         torque[b] -= list.radius[b]*moment;
     }
+    if (!list.cohesion.empty()) addCohesionForces(list, scene, deltaT, force, wall);
+    if (!list.rolling.empty()) addRollingTorques(list, deltaT, torque);
     list.halo.take(force);
     list.halo.take(torque);
     if (!wall.empty()) list.halo.sum(wall.front().data(), 3*static_cast<int>(wall.size()));

@@ -49,15 +49,17 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     for (const Vec3& v : velocity) sums[0] += v.squaredNorm();
     exchange->sum(sums, 2);
     const double commonSpeed = std::sqrt(sums[0]/std::max(1.0, sums[1]));
+    const double range = materials.cohesionRange();
     std::vector<double> reach(grains.size());
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        reach[i] = 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
+        reach[i] = range + 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
     }
     list = ContactList();  // two at a time would be the peak of the memory
     list = buildContactList(scene(), reach, diameter, *exchange);
     updateGeometry(list, scene());
     assignImpulses(list, std::move(impulses), *exchange);
+    markBonds(list);
     isListStale = false;
 }
 
@@ -97,6 +99,12 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
             velocity[list.grainOf[body]] = (attempt + 1.0)*Vec3(list.bodies[body].v);
         }
         const int before = report.sweeps;
+        if (!list.cohesion.empty())
+        {
+            // Bonds are those of the step's start, whatever this solve made of them.
+            restored = beforeStep;
+            isListStale = true;
+        }
         rebuildList(velocity);
         report = solveOnce(external);
         report.sweeps += before;
@@ -116,6 +124,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     ContactProblem problem = makeProblem(external.speedScale);
     AndersonAcceleration::Impulses beforeShock;
     gatherImpulses(list.blocks, problem.all(), beforeShock);
+    const RollingSlots rollingBeforeShock = list.rolling;
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
@@ -130,6 +139,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     {
         std::copy_n(beforeShock.begin() + static_cast<std::ptrdiff_t>(3*blockLanes*k), 3*blockLanes, &list.blocks[k].r[0][0]);
     }
+    list.rolling = rollingBeforeShock;
 }
 
 void GrainDynamics::Implementation::correctPositions(StepReport& report)
@@ -154,7 +164,10 @@ void GrainDynamics::beginStep(double deltaT)
     Implementation& self = *self_;
     self.deltaT = deltaT;
     if (self.isListStale) self.measureDiameter();
+    self.beforeStep = ImpulseRecord();
     if (self.isListStale || !coversMotion(self.list, deltaT)) self.rebuildList(self.grains.velocity);
+    else markBonds(self.list);
+    if (!self.list.cohesion.empty()) self.beforeStep = collectImpulses(self.list);
 }
 
 bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->list.candidates > 0); }
@@ -180,6 +193,7 @@ Prediction GrainDynamics::tryForces(const ExternalForces& external)
     {
         if (self_->list.isUsed(slot)) setImpulse(self_->list, slot, Vec3::Zero());
     }
+    for (RollingSlot& slot : self_->list.rolling) std::fill_n(slot.q, 3, 0.0);
     assignImpulses(self_->list, std::move(impulses), *self_->exchange);
     return prediction;
 }

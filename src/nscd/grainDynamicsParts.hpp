@@ -32,13 +32,18 @@ struct GrainDynamics::Implementation
     double deltaT = 0.0;          // of the step begun
     double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
     ImpulseRecord restored;
+    ImpulseRecord beforeStep;     // kept where there is cohesion
     ContactForces forces;
     StepTimes times;
 
     Scene scene() const { return {grains, materials, walls, box}; }
     ContactProblem makeProblem(double speedScale)
     {
-        return {list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter};
+        return
+        {
+            list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter,
+            1.0, list.rolling.empty() ? nullptr : &list.rolling
+        };
     }
     double deadBand() const { return settings.deadBand*diameter; }
 
