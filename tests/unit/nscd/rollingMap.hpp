@@ -10,24 +10,28 @@ namespace scenes
 {
 
 /// Root of the sum of squares of R' |domega|, domega = W |M - Proj(M - omega/W)| with W = 1/J_A + 1/J_B and the reduced radius R', over
-/// the contacts that carry an impulse, at the positions `before` a step and the velocities after it [m/s].
-inline double rollingNorm(const Scene& scene, const nscd::Grains& before, const nscd::GrainDynamics& dynamics)
+/// the contacts that carry an impulse, at the positions `before` a step and the velocities `after` it [m/s].
+/// Contacts by the grains' identities, which are their indices here.
+inline double rollingNorm
+(
+    const Scene& scene, const nscd::Grains& before, const nscd::Grains& after, const std::vector<nscd::LoadedContact>& contacts
+)
 {
-    const nscd::Grains& after = dynamics.grains();
     double sum = 0.0;
-    for (const nscd::LoadedContact& c : dynamics.contacts())
+    for (const nscd::LoadedContact& c : contacts)
     {
-        const bool isWall = c.b < 0;
-        const nscd::WallRegion* wall = isWall ? &scene.walls.regions[-1 - c.b] : nullptr;
-        const Vec3 n = isWall ? wall->normal : Vec3(scene.box.nearestImage(before.position[c.a] - before.position[c.b]).normalized());
-        const nscd::ContactPair& pair = scene.materials.pair(before.material[c.a], isWall ? 1 : before.material[c.b]);
-        const double ra = before.radius[c.a], reduced = isWall ? ra : ra*before.radius[c.b]/(ra + before.radius[c.b]);
+        const int a = static_cast<int>(c.idA), b = static_cast<int>(c.idB);
+        const bool isWall = b < 0;
+        const Vec3 n = isWall
+            ? scene.walls.regions[-1 - b].normal : Vec3(scene.box.nearestImage(before.position[a] - before.position[b]).normalized());
+        const nscd::ContactPair& pair = scene.materials.pair(before.material[a], isWall ? 1 : before.material[b]);
+        const double ra = before.radius[a], reduced = isWall ? ra : ra*before.radius[b]/(ra + before.radius[b]);
         const auto inverseInertia = [&](int i)
         {
             return before.isFixed[i] ? 0.0 : 1.0/(before.shape.inertiaFactor()*before.mass[i]*before.radius[i]*before.radius[i]);
         };
-        const double w = inverseInertia(c.a) + (isWall ? 0.0 : inverseInertia(c.b));
-        const Vec3 omega = after.omega[c.a] - (isWall ? Vec3(Vec3::Zero()) : after.omega[c.b]);
+        const double w = inverseInertia(a) + (isWall ? 0.0 : inverseInertia(b));
+        const Vec3 omega = after.omega[a] - (isWall ? Vec3(Vec3::Zero()) : after.omega[b]);
         const double rn = (c.impulse - c.attraction).dot(n);
 
         const double normal = c.moment.dot(n), spin = omega.dot(n);

@@ -218,7 +218,7 @@ TEST(Rolling, aJudgeOfItsOwnAgrees)
             ASSERT_TRUE(report.solve.converged) << k;
             if (report.solve.contacts < 10) continue;
             const NaturalMap contacts = Judge(scene, 0.4, settings.deadBand*diameter, deltaT)(before, dynamics);
-            const double rolling = rollingNorm(scene, before, dynamics);
+            const double rolling = rollingNorm(scene, before, dynamics.grains(), dynamics.contacts());
             const double rms = std::sqrt((contacts.norm*contacts.norm + rolling*rolling)/contacts.loaded);
             ASSERT_NEAR(rms, report.solve.residualRms, 1e-9*settings.tolerance*gravity*deltaT) << k;
         }
