@@ -15,7 +15,7 @@ struct ContactList;
 struct Scene;
 
 /// The law with cohesion: r_n + c dt >= 0, u_n + b >= 0, product 0, |r_t| <= mu (r_n + c dt) (Taboada, Estrada & Radjai 2006, Phys.
-/// Rev. Lett. 97, 098302; Radjai & Dubois 2011, Discrete-element modeling of granular materials, ch. 9). The impulse that
+/// Rev. Lett. 97, 098302; Radjai & Dubois 2011, Discrete-element modeling of granular materials). The impulse that
 /// blocks hold is r + c dt n: for it the law is the one without cohesion, and the attraction -c dt n is one more known impulse, which the
 /// free velocities get. Kernels, residual and warm start know nothing of it; what is reported has it subtracted again.
 ///

@@ -59,7 +59,10 @@ struct TangentialChange
 
 /// In the turned variables the two laws couple by one number: u' = W_tt r - c q', w' = -c r + W_r q'.
 /// Exact where the contact sticks; where it slides, one step of Gauss-Seidel between the two.
-TangentialChange solveTangential(const Body& a, const Body& b, const ContactBlock& block, int lane, const RollingSlot& slot, const Rolling& law)
+TangentialChange solveTangential
+(
+    const Body& a, const Body& b, const ContactBlock& block, int lane, const RollingSlot& slot, const Rolling& law
+)
 {
     const Vec3 rt = law.tangential(Vec3(block.r[0][lane], block.r[1][lane], block.r[2][lane]));
     const Vec3 u = law.tangential(Vec3(a.v) - Vec3(b.v)) - (Vec3(a.s) + Vec3(b.s)).cross(law.n);

@@ -2,8 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Rolling and spinning friction against closed formulas, balances and a judge of its own.
-#include "heaps.hpp"
-#include "rollingMap.hpp"
+#include "lawScenes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,30 +13,11 @@ namespace
 
 constexpr double radius = 0.01, deltaT = 1e-3;
 
-/// All pairs alike.
-Scene sceneOf(int dimensions, const nscd::ContactPair& pair)
-{
-    Scene scene(dimensions, 0.0, 0.0);
-    for (int a = 0; a < 2; ++a)
-    {
-        for (int b = a; b < 2; ++b) scene.materials.setPair(a, b, pair);
-    }
-    return scene;
-}
-
-nscd::ContactPair pairOf(double friction, double rolling, double spinning = 0.0, double cohesion = 0.0)
-{
-    nscd::ContactPair pair{friction, 0.0};
-    pair.rollingFriction = rolling;
-    pair.spinningFriction = spinning;
-    pair.cohesion = cohesion;
-    return pair;
-}
-
 /// A grain that touches a floor at rest.
 Scene onFloor(int dimensions, const nscd::ContactPair& pair)
 {
-    Scene scene = sceneOf(dimensions, pair);
+    Scene scene(dimensions, 0.0, 0.0);
+    setAll(scene, pair);
     scene.addGrain(Vec3(0, 0, radius), radius);
     scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
     return scene;
@@ -62,7 +42,7 @@ TEST(Rolling, slowsDownAsThePublishedLawSaysAndStopsForEver)
     for (int dimensions : {2, 3})
     {
         const double rolling = 0.02, start = 0.1;
-        Scene scene = onFloor(dimensions, pairOf(0.5, rolling));
+        Scene scene = onFloor(dimensions, rollingPair(0.5, rolling));
         scene.grains.velocity[0] = Vec3(start, 0, 0);
         scene.grains.omega[0] = Vec3(0, start/radius, 0);
         auto dynamics = scene.build();
@@ -87,7 +67,7 @@ TEST(Rolling, slowsDownAsThePublishedLawSaysAndStopsForEver)
 TEST(Rolling, whatSlidesIsSpunUpAgainstIt)
 {
     const double friction = 0.3, rolling = 0.1;
-    Scene scene = onFloor(3, pairOf(friction, rolling));
+    Scene scene = onFloor(3, rollingPair(friction, rolling));
     scene.grains.velocity[0] = Vec3(0, 1.0, 0);
     auto dynamics = scene.build();
     for (int k = 1; k <= 50; ++k)
@@ -102,7 +82,7 @@ TEST(Rolling, whatSlidesIsSpunUpAgainstIt)
 TEST(Rolling, spinningStopsExactly)
 {
     const double spinning = 0.05, start = 20.0;
-    Scene scene = onFloor(3, pairOf(0.5, 0.0, spinning));
+    Scene scene = onFloor(3, rollingPair(0.5, 0.0, spinning));
     scene.grains.omega[0] = Vec3(0, 0, start);
     auto dynamics = scene.build();
     const double deceleration = spinning*gravity/(0.4*radius);
@@ -125,7 +105,7 @@ TEST(Rolling, aSlopeHoldsAGrainUpToTheCoefficient)
         for (double share : {0.997, 1.003})
         {
             const double rolling = 0.1, slope = std::atan(share*rolling);
-            Scene scene = onFloor(dimensions, pairOf(0.5, rolling));
+            Scene scene = onFloor(dimensions, rollingPair(0.5, rolling));
             scene.g = gravity*Vec3(std::sin(slope), 0, -std::cos(slope));
             auto dynamics = scene.build();
             for (int k = 0; k < 100; ++k) ASSERT_TRUE(step(dynamics, scene.g, deltaT).solve.converged);
@@ -138,13 +118,26 @@ TEST(Rolling, aSlopeHoldsAGrainUpToTheCoefficient)
 
 TEST(Rolling, withoutFrictionItStopsSpinsAlone)
 {
-    Scene scene = onFloor(3, pairOf(0.0, 0.02));
+    Scene scene = onFloor(3, rollingPair(0.0, 0.02));
     scene.grains.velocity[0] = Vec3(0.1, 0, 0);
     scene.grains.omega[0] = Vec3(0, 10.0, 0);
     auto dynamics = scene.build();
     for (int k = 0; k < 10; ++k) step(dynamics, scene.g, deltaT);
     EXPECT_NEAR(dynamics.grains().velocity[0][0], 0.1, 1e-15);
     EXPECT_NEAR(dynamics.grains().omega[0][1], 10.0 - 0.02*gravity*10*deltaT/(0.4*radius), 1e-10);
+}
+
+TEST(Rolling, aContactThatSticksIsSolvedAtOnce)
+{
+    // Friction and rolling of unequal grains together, in one visit: the second sweep finds nothing to do.
+    Scene scene(3, 0.0, 0.0);
+    setAll(scene, rollingPair(5.0, 0.1, 0.1, 1.0));
+    scene.addGrain(Vec3::Zero(), radius);
+    scene.addGrain(Vec3(0, 3.0*radius, 0), 2.0*radius);
+    scene.grains.omega = {Vec3(3.0, 1.0, -2.0), Vec3(-1.0, 0.5, 4.0)};
+    scene.grains.velocity[0] = Vec3(1e-3, 0, 2e-3);
+    auto dynamics = scene.build();
+    EXPECT_LE(step(dynamics, Vec3::Zero(), deltaT).solve.sweeps, 2);
 }
 
 TEST(Rolling, actionIsReaction)
@@ -155,7 +148,8 @@ TEST(Rolling, actionIsReaction)
     const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
     for (int trial = 0; trial < 30; ++trial)
     {
-        Scene scene = sceneOf(3, pairOf(0.2 + 0.2*unit(random), 0.1, 0.05, 0.5));
+        Scene scene(3, 0.0, 0.0);
+        setAll(scene, rollingPair(0.2 + 0.2*unit(random), 0.1, 0.05, 0.5));
         const double other = radius*(1.0 + 0.8*unit(random));
         scene.addGrain(Vec3(0.1, 0.2, 0.3), radius);
         scene.addGrain(Vec3(0.1, 0.2, 0.3) + (radius + other)*vector().normalized(), other);
@@ -182,7 +176,8 @@ TEST(Rolling, actionIsReaction)
 TEST(Rolling, aPairThatTurnsAsOneFeelsNone)
 {
     // Equal angular velocities, that of the line of centers too: rigid motion.
-    Scene scene = sceneOf(3, pairOf(0.5, 0.1, 0.1, 1.0));
+    Scene scene(3, 0.0, 0.0);
+    setAll(scene, rollingPair(0.5, 0.1, 0.1, 1.0));
     scene.addGrain(Vec3(-radius, 0, 0), radius);
     scene.addGrain(Vec3(radius, 0, 0), radius);
     for (int i = 0; i < 2; ++i)
@@ -197,91 +192,10 @@ TEST(Rolling, aPairThatTurnsAsOneFeelsNone)
     EXPECT_NEAR(dynamics.grains().omega[0][2], 2.0, 1e-13);
 }
 
-TEST(Rolling, aJudgeOfItsOwnAgrees)
-{
-    for (int dimensions : {2, 3})
-    {
-        Scene scene = heap(dimensions, 4, 5, radius, 0.5, 0.4);
-        for (int a = 0; a < 2; ++a)
-        {
-            for (int b = a; b < 2; ++b) scene.materials.setPair(a, b, pairOf(0.4, 0.05, 0.02));
-        }
-        nscd::ContactSettings settings;
-        settings.polishSweeps = 0;
-        auto dynamics = scene.build(settings);
-        double diameter = 0.0;
-        for (double r : scene.grains.radius) diameter += 2.0*r/scene.grains.size();
-        for (int k = 0; k < 200; ++k)
-        {
-            const nscd::Grains before = dynamics.grains();
-            const nscd::StepReport report = step(dynamics, scene.g, deltaT);
-            ASSERT_TRUE(report.solve.converged) << k;
-            if (report.solve.contacts < 10) continue;
-            const NaturalMap contacts = Judge(scene, 0.4, settings.deadBand*diameter, deltaT)(before, dynamics);
-            const double rolling = rollingNorm(scene, before, dynamics.grains(), dynamics.contacts());
-            const double rms = std::sqrt((contacts.norm*contacts.norm + rolling*rolling)/contacts.loaded);
-            ASSERT_NEAR(rms, report.solve.residualRms, 1e-9*settings.tolerance*gravity*deltaT) << k;
-        }
-    }
-}
-
-TEST(Rolling, aHeapComesToRest)
-{
-    double energy[2];
-    for (double rolling : {0.0, 0.05})
-    {
-        Scene scene = heap(3, 4, 4, radius, 0.7, 0.4);
-        for (int a = 0; a < 2; ++a)
-        {
-            for (int b = a; b < 2; ++b) scene.materials.setPair(a, b, pairOf(0.4, rolling, 0.4*rolling));
-        }
-        auto dynamics = scene.build(nscd::ContactSettings());
-        int capped = 0, sweeps = 0;
-        for (int k = 0; k < 1500; ++k)
-        {
-            const nscd::StepReport report = step(dynamics, scene.g, deltaT);
-            capped += !report.solve.converged;
-            sweeps += report.solve.sweeps;
-        }
-        EXPECT_EQ(capped, 0);
-        energy[rolling > 0.0] = nscd::kineticEnergy(dynamics.grains())/(scene.grains.mass[0]*gravity*2*radius);
-        std::printf("   rolling friction %.2f: %.1f sweeps a step, kinetic energy %.1e m g d\n", rolling, sweeps/1500.0, energy[rolling > 0.0]);
-    }
-    EXPECT_LT(energy[1], 1e-12);
-    EXPECT_GT(energy[0], 1e-8);
-}
-
-TEST(Rolling, restartsToTheBit)
-{
-    Scene scene = heap(3, 4, 4, radius, 0.7, 0.4);
-    for (int a = 0; a < 2; ++a)
-    {
-        for (int b = a; b < 2; ++b) scene.materials.setPair(a, b, pairOf(0.4, 0.05, 0.02));
-    }
-    auto dynamics = scene.build(nscd::ContactSettings());
-    for (int k = 0; k < 150; ++k) step(dynamics, scene.g, deltaT);
-    double lastDeltaT = 0.0;
-    const std::vector<nscd::StoredImpulse> impulses = dynamics.checkpoint(lastDeltaT);
-    Scene at = scene;
-    at.grains = dynamics.grains();
-    auto other = at.build(nscd::ContactSettings());
-    other.restore(impulses, lastDeltaT);
-    for (int k = 0; k < 30; ++k)
-    {
-        const int sweeps = step(dynamics, scene.g, deltaT).solve.sweeps;
-        ASSERT_EQ(step(other, scene.g, deltaT).solve.sweeps, sweeps);
-        for (std::size_t i = 0; i < at.grains.size(); ++i)
-        {
-            ASSERT_EQ(other.grains().position[i], dynamics.grains().position[i]);
-            ASSERT_EQ(other.grains().omega[i], dynamics.grains().omega[i]);
-        }
-    }
-}
-
 TEST(Rolling, momentsAreRememberedAndScaleWithTheStep)
 {
     // A grain held on a slope by its rolling moment: warm, nothing is left to do.
-    Scene scene = onFloor(3, pairOf(0.5, 0.1));
+    Scene scene = onFloor(3, rollingPair(0.5, 0.1));
     scene.g = gravity*Vec3(0.09, 0, -1);
     nscd::ContactSettings settings;
     settings.polishSweeps = 0;
@@ -299,9 +213,9 @@ TEST(Rolling, refusesWhatItCannot)
 {
     nscd::Materials materials;
     materials.add("one");
-    EXPECT_THROW(materials.setPair(0, 0, pairOf(0.3, -0.1)), std::invalid_argument);
-    EXPECT_THROW(materials.setPair(0, 0, pairOf(0.3, 0.1, std::nan(""))), std::invalid_argument);
+    EXPECT_THROW(materials.setPair(0, 0, rollingPair(0.3, -0.1)), std::invalid_argument);
+    EXPECT_THROW(materials.setPair(0, 0, rollingPair(0.3, 0.1, std::nan(""))), std::invalid_argument);
     nscd::ContactSettings settings;
     settings.solver = "queue";
-    EXPECT_THROW(onFloor(3, pairOf(0.3, 0.1)).build(settings), std::invalid_argument);
+    EXPECT_THROW(onFloor(3, rollingPair(0.3, 0.1)).build(settings), std::invalid_argument);
 }
