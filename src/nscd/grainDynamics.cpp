@@ -41,7 +41,9 @@ void GrainDynamics::Implementation::clearForces()
 void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity)
 {
     const Stopwatch watch(times.findPairs);
-    ImpulseRecord impulses = isListStale ? std::move(restored) : collectImpulses(list);
+    // Within a step bonds are those of its start, whatever a solve has made of them since.
+    const bool isWithinStep = isStepBegun && !list.cohesion.empty();
+    ImpulseRecord impulses = isListStale ? std::move(restored) : isWithinStep ? beforeStep : collectImpulses(list);
     restored = ImpulseRecord();
 
     // A slow grain may be hit, and be as fast as the others at the end of the step.
@@ -99,12 +101,6 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
             velocity[list.grainOf[body]] = (attempt + 1.0)*Vec3(list.bodies[body].v);
         }
         const int before = report.sweeps;
-        if (!list.cohesion.empty())
-        {
-            // Bonds are those of the step's start, whatever this solve made of them.
-            restored = beforeStep;
-            isListStale = true;
-        }
         rebuildList(velocity);
         report = solveOnce(external);
         report.sweeps += before;
@@ -164,10 +160,11 @@ void GrainDynamics::beginStep(double deltaT)
     Implementation& self = *self_;
     self.deltaT = deltaT;
     if (self.isListStale) self.measureDiameter();
-    self.beforeStep = ImpulseRecord();
     if (self.isListStale || !coversMotion(self.list, deltaT)) self.rebuildList(self.grains.velocity);
-    else markBonds(self.list);
-    if (!self.list.cohesion.empty()) self.beforeStep = collectImpulses(self.list);
+    if (self.isStepBegun) return;
+    self.isStepBegun = true;
+    markBonds(self.list);
+    self.beforeStep = self.list.cohesion.empty() ? ImpulseRecord() : collectImpulses(self.list);
 }
 
 bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->list.candidates > 0); }
@@ -213,6 +210,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     if (self.materials.anyRestitution()) self.rebound(external, report.solve);
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);
+    self.isStepBegun = false;
     return report;
 }
 

@@ -86,7 +86,7 @@ public:
     /// Load of each grain on contact search and solve: the candidates it has a share in, and one for itself.
     std::vector<double> loads() const;
 
-    /// Finds pairs and builds the contacts at the present positions for a step of length dt [s].
+    /// Finds pairs and builds the contacts at the present positions for a step of length dt [s]; again before advance(): for another dt.
     /// Errors: std::invalid_argument for dt <= 0, coincident centers
     void beginStep(double dt);
 

@@ -32,6 +32,7 @@ struct GrainDynamics::Implementation
     double deltaT = 0.0;          // of the step begun
     double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
     ImpulseRecord restored;
+    bool isStepBegun = false;
     ImpulseRecord beforeStep;     // kept where there is cohesion
     ContactForces forces;
     StepTimes times;

@@ -119,6 +119,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
     self.isListStale = true;
+    self.isStepBegun = false;
     return byIdentity(self.restored, self.grains);
 }
 
@@ -129,6 +130,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.impulseDeltaT = lastDeltaT;
     self.list = ContactList();
     self.isListStale = true;
+    self.isStepBegun = false;
 }
 
 } // namespace nscd

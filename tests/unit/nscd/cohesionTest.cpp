@@ -116,8 +116,7 @@ TEST(Cohesion, aDrivenGrainPullsAnotherOffAtTheForceGiven)
 
 TEST(Cohesion, frictionIsThatOfWeightAndCohesion)
 {
-    // Pushed sideways a grain that cannot turn (here: two side by side would) slides at mu (m g + c): a grain without spin moves
-    // as v = (F/m - mu (g + c/m)) t, and what it does not reach it resists.
+    // A sphere that slides is slowed down by mu (m g + c), while the floor bears its weight alone.
     const double weight = weightOfOne(), mu = 0.4, cohesion = 2.5*weight;
     Scene scene(3, 0.0, 0.0);
     setAll(scene, cohesivePair(mu, 0.0, cohesion));

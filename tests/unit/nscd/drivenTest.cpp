@@ -49,7 +49,8 @@ TEST(Driven, heldIsDrivenWithZero)
 
 TEST(Driven, pushesWithInertiaAndFriction)
 {
-    // A grain on a floor pushed from behind by a driven one, both without spin: F = m dv/dt + friction with the floor.
+    // A grain on a floor pushed from behind by a driven one without friction between them: F = m dv/dt + friction with the floor,
+    // while it slides (mu g < kappa dv/dt).
     Scene scene(3, 0.0, 0.0);
     const double mu = 0.2;
     scene.materials.setPair(0, 1, {mu, 0.0});
@@ -70,8 +71,8 @@ TEST(Driven, pushesWithInertiaAndFriction)
 
 TEST(Driven, aTurningGrainTakesTheTorqueOfWhatItTurns)
 {
-    // A light grain rests in the frictionless corner of floor and wall on top of nothing but a driven, turning one: the torque on
-    // the driver is friction times radius, opposite to its spin.
+    // A grain rests on a driven, turning one, held in place by frictionless walls: the torque on the driver is friction times
+    // radius, opposite to its spin.
     Scene scene(3, 0.0, 0.0);
     const double mu = 0.3;
     scene.materials.setPair(0, 0, {mu, 0.0});
