@@ -45,7 +45,7 @@ struct Rolling
         spinningLimit(slot.spinning*rn)
     {}
 
-    bool isIdle(const RollingSlot& slot) const { return !(wr > 0.0) || (rn == 0.0 && !slot.isLoaded()); }
+    bool isIdle() const { return !(wr > 0.0); }
     Vec3 tangential(const Vec3& x) const { return x - n.dot(x)*n; }
     double spinning() const { return within(n.dot(q) - n.dot(w)/wr, spinningLimit); }
 };
@@ -104,7 +104,7 @@ void applyTangential(Body& a, Body& b, ContactBlock& block, int lane, const Vec3
 double solveSlot(Body& a, Body& b, ContactBlock& block, int lane, RollingSlot& slot)
 {
     const Rolling law(a, b, block, lane, slot);
-    if (law.isIdle(slot)) return 0.0;
+    if (law.isIdle()) return 0.0;
     const TangentialChange change = solveTangential(a, b, block, lane, slot, law);
     const Vec3 dq = law.n.cross(change.turned) + (law.spinning() - law.n.dot(law.q))*law.n;
     const double wt = a.invMass + b.invMass + a.invSpin + b.invSpin;
@@ -117,14 +117,19 @@ double solveSlot(Body& a, Body& b, ContactBlock& block, int lane, RollingSlot& s
 double defect(const Body& a, const Body& b, const ContactBlock& block, int lane, const RollingSlot& slot)
 {
     const Rolling law(a, b, block, lane, slot);
-    if (law.isIdle(slot)) return 0.0;
+    if (law.isIdle()) return 0.0;
     const Vec3 q = law.tangential(law.q);
     const Vec3 rolling = inDisc(q - law.tangential(law.w)/law.wr, law.rollingLimit) - q;
     const double spinning = law.spinning() - law.n.dot(law.q);
     return law.wr*law.wr*(rolling.squaredNorm() + spinning*spinning);
 }
 
-/// Sums visit(block, lane, slot), a squared defect, over the used slots of a range.
+bool isPressed(const ContactBlock& block, int lane)
+{
+    return block.n[0][lane]*block.r[0][lane] + block.n[1][lane]*block.r[1][lane] + block.n[2][lane]*block.r[2][lane] > 0.0;
+}
+
+/// Sums visit(block, lane, slot), a squared defect, over the slots of a range that bear something.
 template<class Blocks, class Slots, class Visit>
 DefectSums sumOverSlots(Blocks* blocks, Slots& slots, BlockRange range, const Visit& visit)
 {
@@ -134,7 +139,7 @@ DefectSums sumOverSlots(Blocks* blocks, Slots& slots, BlockRange range, const Vi
         for (int lane = 0; lane < blockLanes; ++lane)
         {
             auto& slot = slots[range[k]*blockLanes + lane];
-            if (!slot.isUsed()) continue;
+            if (!slot.isUsed() || (!slot.isLoaded() && !isPressed(blocks[range[k]], lane))) continue;
             const double defect2 = visit(blocks[range[k]], lane, slot);
             sums.sumSquares += defect2;
             sums.maxSquare = std::max(sums.maxSquare, defect2);
