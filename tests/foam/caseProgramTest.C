@@ -124,6 +124,9 @@ TEST(Program, drivesGrainsAlongTheIntegralOfTheirVelocity)
 {
     // From 0 to 1 m/s within the 10 ms of the run: 5 mm up, whatever the steps within a step, and whatever falls on them.
     const std::string driven = "driven { a { ids (0 5); velocity table ((0 (0 0 0)) (0.01 (0 0 1))); omega (0 0 4); } } ";
+    const ProgramCase held(Files{{"constant/grainProperties", grains + "driven { a { ids (0 5); velocity (0 0 0); } } fluid none;"}}, "writePrecision 12;");
+    EXPECT_TRUE(succeeds(held.run()));
+    const List<vector> start = grainVectors(held, "position");
     for (const std::string more : {"fluid none; timeStep { subCycles 3; }", ""})
     {
         const ProgramCase c(Files{{"constant/grainProperties", grains + driven + more}}, "writePrecision 12;");
@@ -131,10 +134,10 @@ TEST(Program, drivesGrainsAlongTheIntegralOfTheirVelocity)
         const List<vector> position = grainVectors(c, "position");
         for (const label id : {0, 5})
         {
-            EXPECT_NEAR(position[id].z(), 0.03 + 0.005, 1e-10);
+            EXPECT_NEAR(position[id].z(), start[id].z() + 0.005, 1e-10);
             EXPECT_NEAR(grainVectors(c, "omega")[id].z(), 4, 1e-10);
         }
-        EXPECT_LT(position[1].z(), 0.03);
+        EXPECT_LT(position[1].z(), start[0].z() + 0.001);
     }
 }
 
