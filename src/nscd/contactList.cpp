@@ -127,6 +127,27 @@ void reserveBlocks(ContactList& list, const Scene& scene, std::size_t blocks)
     list.wall.reserve(blocks*blockLanes);
     list.image.reserve(blocks*blockLanes);
     if (scene.materials.anyRestitution()) list.restitution.reserve(blocks*blockLanes);
+    if (scene.materials.anyRolling()) list.rolling.reserve(blocks*blockLanes);
+    if (scene.materials.anyCohesion()) list.cohesion.reserve(blocks*blockLanes);
+}
+
+RollingSlot rollingSlot(const ContactList& list, const Candidate& candidate, const ContactPair& pair)
+{
+    RollingSlot slot;
+    slot.rolling = pair.rollingFriction;
+    slot.spinning = pair.spinningFriction;
+    const double radiusA = list.radius[candidate.a];
+    slot.shareB = candidate.wall >= 0 ? 0.0 : radiusA/(radiusA + list.radius[candidate.b]);
+    slot.shareA = 1.0 - slot.shareB;
+    return slot;
+}
+
+/// What a pair has beyond friction.
+void setOptionalLaws(ContactList& list, std::size_t slot, const Candidate& candidate, const ContactPair& pair)
+{
+    if (!list.restitution.empty()) list.restitution[slot] = pair.restitution;
+    if (!list.rolling.empty()) list.rolling[slot] = rollingSlot(list, candidate, pair);
+    if (!list.cohesion.empty()) list.cohesion[slot] = {pair.cohesion, pair.cohesionRange, {0.0, 0.0, 0.0}, false};
 }
 
 /// Appends blocks for `batches`, and writes the candidates into their slots; slotOf is shifted to where they are.
@@ -141,6 +162,8 @@ void appendBlocks(ContactList& list, const Scene& scene, const std::vector<Candi
     list.wall.resize(slots, -1);
     list.image.resize(slots, {0, 0, 0});
     if (scene.materials.anyRestitution()) list.restitution.resize(slots, 0.0);
+    if (scene.materials.anyRolling()) list.rolling.resize(slots);
+    if (scene.materials.anyCohesion()) list.cohesion.resize(slots);
     list.candidates += candidates.size();
 
     for (std::size_t k = 0; k < candidates.size(); ++k)
@@ -152,7 +175,7 @@ void appendBlocks(ContactList& list, const Scene& scene, const std::vector<Candi
         block.b[slot % blockLanes] = candidate.b;
         const ContactPair& pair = coefficients(list, scene, candidate);
         block.friction[slot % blockLanes] = pair.friction;
-        if (!list.restitution.empty()) list.restitution[slot] = pair.restitution;
+        setOptionalLaws(list, slot, candidate, pair);
         list.wall[slot] = candidate.wall;
         list.image[slot] = candidate.image;
     }
@@ -239,9 +262,12 @@ ContactList buildContactList
 {
     ContactList list;
     list.wallReach = std::move(wallReach);
+    list.hasRolling = scene.materials.anyRolling();
     sortBodies(list, scene.grains, reach, diameter);
     const std::vector<GhostGrain> ghosts = exchange.findGhosts(scene.grains, reach, scene.box);
     const std::vector<double> reachOfAll = addGhosts(list, ghosts);
+    const double range = scene.materials.cohesionRange();
+    if (range > 0.0) std::for_each(list.reach.begin(), list.reach.end(), [range](double& r) { r -= range; });
     Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene, wallSearch);
     if (exchange.isParallel())
     {

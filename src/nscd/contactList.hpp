@@ -4,11 +4,13 @@
 // The persistent list of candidate contacts: pairs that could touch before the list is built again, in the order they are solved.
 #pragma once
 
+#include "cohesion.hpp"
 #include "contactBlock.hpp"
 #include "grains.hpp"
 #include "halo.hpp"
 #include "materials.hpp"
 #include "periodicBox.hpp"
+#include "rollingFriction.hpp"
 #include "wallSearch.hpp"
 
 #include <array>
@@ -52,6 +54,9 @@ struct ContactList
     std::vector<int> wall;                  ///< wall region, or -1 for a pair of grains
     std::vector<std::array<signed char, 3>> image;  ///< periodic shift of body B, in periods
     std::vector<double> restitution;        ///< empty if no pair of materials has any
+    RollingSlots rolling;                   ///< likewise
+    bool hasRolling = false;                ///< whether any pair resists rolling or spinning, here or on another rank
+    CohesiveSlots cohesion;                 ///< likewise
 
     std::vector<std::uint32_t> awake;       ///< blocks that can matter in this step, ascending; set by prepareSlots
 
@@ -72,7 +77,7 @@ struct ContactList
     int grain(int body) const;
 };
 
-/// Impulse of the slot, on A [N s].
+/// Impulse of the slot, on A, without attraction [N s].
 Vec3 impulse(const ContactList& list, std::size_t slot);
 void setImpulse(ContactList& list, std::size_t slot, const Vec3& r);
 Vec3 normal(const ContactList& list, std::size_t slot);
@@ -87,6 +92,7 @@ struct Scene
 };
 
 /// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].
+/// A reach is how far a grain may travel before the list is stale, and the range of cohesion.
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 ContactList buildContactList
 (

@@ -29,6 +29,14 @@ DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& 
     return {sums[0], max, sums[1]};
 }
 
+DefectSums sweepRange(ContactProblem& problem, BlockRange range)
+{
+    const SweepFunction sweep = problem.isFrictional ? problem.kernels.sweep : problem.kernels.sweepFrictionless;
+    const DefectSums contacts = sweep(problem.bodies.data(), problem.blocks.data(), range);
+    if (!problem.rolling) return contacts;
+    return together(contacts, sweepRolling(problem.bodies.data(), problem.blocks.data(), *problem.rolling, range));
+}
+
 } // namespace
 
 bool areWithin(const DefectSums& sums, double rmsLimit, double maxLimit)
@@ -61,11 +69,10 @@ BlockRange ContactProblem::interface() const
 
 DefectSums sweepActive(ContactProblem& problem)
 {
-    const SweepFunction sweep = problem.isFrictional ? problem.kernels.sweep : problem.kernels.sweepFrictionless;
-    const DefectSums inner = sweep(problem.bodies.data(), problem.blocks.data(), problem.inner());
+    const DefectSums inner = sweepRange(problem, problem.inner());
     if (!problem.halo.isParallel()) return inner;
     problem.halo.giveVelocities(problem.bodies);
-    const DefectSums between = sweep(problem.bodies.data(), problem.blocks.data(), problem.interface());
+    const DefectSums between = sweepRange(problem, problem.interface());
     problem.halo.takeVelocities(problem.bodies);
     return overRanks(problem.halo, inner, between);
 }
@@ -85,7 +92,11 @@ DefectSums residual(ContactProblem& problem)
 {
     const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
     problem.halo.giveVelocities(problem.bodies);
-    const DefectSums here = evaluate(problem.bodies.data(), problem.blocks.data(), problem.all());
+    DefectSums here = evaluate(problem.bodies.data(), problem.blocks.data(), problem.all());
+    if (problem.rolling)
+    {
+        here = together(here, evaluateRolling(problem.bodies.data(), problem.blocks.data(), *problem.rolling, problem.all()));
+    }
     return problem.halo.isParallel() ? overRanks(problem.halo, here, {0.0, 0.0, 0.0}) : here;
 }
 

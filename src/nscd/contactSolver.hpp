@@ -7,6 +7,7 @@
 #include "contactSettings.hpp"
 #include "contactBlock.hpp"
 #include "halo.hpp"
+#include "rollingFriction.hpp"
 #include "stepReport.hpp"
 
 #include <string>
@@ -33,6 +34,8 @@ struct ContactProblem
     double diameter;      ///< mean d [m]
     /// Mean over the grains of min(1, speed/speedScale) before the step: 1 in a flow, small in a bed at rest.
     double motion = 1.0;
+    /// Rolling and spinning friction, slot by slot; none in scenes without.
+    RollingSlots* rolling = nullptr;
 
     BlockRange all() const { return {nullptr, blocks.size()}; }
     BlockRange active() const { return {awake.data(), awake.size()}; }
@@ -69,6 +72,7 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
 
 /// The residual every solver is judged by: natural map in velocity units,
 /// e_n = W_nn |r_n - max(0, r_n - (u_n + b)/W_nn)|, e_t = W_tt |r_t - Proj_{mu r_n}(r_t - u_t/W_tt)|; rms over active contacts, and max.
+/// Rolling and spinning friction add their own (rollingFriction.hpp) to the sum, and to the maximum as contacts of their own.
 /// Where n ranks move a body, W is taken n times, which can only make e larger.
 DefectSums residual(ContactProblem& problem);
 

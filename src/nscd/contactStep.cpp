@@ -70,8 +70,19 @@ void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT,
     {
         if (kernels.setLaws(list.bodies.data(), list.blocks[k], &list.gap[k*blockLanes], law)) list.awake.push_back(static_cast<std::uint32_t>(k));
     }
+    if (!list.cohesion.empty()) applyCohesion(list, deltaT, deadBand);
     kernels.startWarm(list.bodies.data(), list.blocks.data(), {list.awake.data(), list.awake.size()}, impulseScale);
+    if (!list.rolling.empty()) startRolling(list, impulseScale);
     list.halo.takeVelocities(list.bodies);
+}
+
+void addWallForce(const ContactList& list, const Scene& scene, std::size_t slot, const Vec3& onGrain, std::vector<Vec3>& wall)
+{
+    const std::size_t patch = scene.walls.regions[list.wall[slot]].patch;
+    const int a = list.blocks[slot/blockLanes].a[slot % blockLanes];
+    const Vec3 point = list.position[a] - (list.radius[a] + list.gap[slot])*normal(list, slot);
+    wall[patch] -= onGrain;
+    wall[scene.walls.patches.size() + patch] -= (point - scene.walls.patches[patch].torquePoint).cross(onGrain);
 }
 
 ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT)
@@ -89,10 +100,7 @@ ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const
         torque[a] -= list.radius[a]*moment;
         if (region >= 0)
         {
-            const int patch = scene.walls.regions[region].patch;
-            const Vec3 point = list.position[a] - (list.radius[a] + list.gap[slot])*normal(list, slot);
-            wall[patch] -= onA;
-            wall[patches + patch] -= (point - scene.walls.patches[patch].torquePoint).cross(onA);
+            addWallForce(list, scene, slot, onA, wall);
             return;
         }
         force[b] -= onA;
@@ -102,6 +110,8 @@ ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const
     {
         for (int lane = 0; lane < blockLanes; ++lane) addLane(list.blocks[loaded[k]], lane, loaded[k]*blockLanes + lane);
     }
+    if (!list.cohesion.empty()) addCohesionForces(list, scene, deltaT, force, wall);
+    if (!list.rolling.empty()) addRollingTorques(list, scene, deltaT, torque, wall);
     list.halo.take(force);
     list.halo.take(torque);
     if (!wall.empty()) list.halo.sum(wall.front().data(), 3*static_cast<int>(wall.size()));

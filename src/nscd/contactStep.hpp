@@ -34,6 +34,9 @@ struct ContactForces
 };
 ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT);
 
+/// Adds the force of a grain on the wall of a slot, and its torque, to `wall`: forces of the patches [N], then torques [N m].
+void addWallForce(const ContactList& list, const Scene& scene, std::size_t slot, const Vec3& onGrain, std::vector<Vec3>& wall);
+
 /// Whether every body stays within its reach if it moves on with its present velocity for deltaT, and `areWallsCovered` on all ranks.
 bool coversMotion(const ContactList& list, double deltaT, bool areWallsCovered);
 

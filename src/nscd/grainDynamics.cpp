@@ -51,7 +51,9 @@ void GrainDynamics::Implementation::makeWallSearch()
 void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity)
 {
     const Stopwatch watch(times.findPairs);
-    ImpulseRecord impulses = isListStale ? std::move(restored) : collectImpulses(list);
+    // Within a step bonds are those of its start, whatever a solve has made of them since.
+    const bool isWithinStep = isStepBegun && !list.cohesion.empty();
+    ImpulseRecord impulses = isListStale ? std::move(restored) : isWithinStep ? beforeStep : collectImpulses(list);
     restored = ImpulseRecord();
 
     // A slow grain may be hit, and be as fast as the others at the end of the step.
@@ -59,16 +61,18 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     for (const Vec3& v : velocity) sums[0] += v.squaredNorm();
     exchange->sum(sums, 2);
     const double commonSpeed = std::sqrt(sums[0]/std::max(1.0, sums[1]));
+    const double range = materials.cohesionRange();
     std::vector<double> reach(grains.size());
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        reach[i] = 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
+        reach[i] = range + 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
     }
     list = ContactList();  // two at a time would be the peak of the memory
     makeWallSearch();
     list = buildContactList(scene(), *wallSearch, reach, movingWalls.reach(*wallSearch, grains, reach, diameter), diameter, *exchange);
     updateGeometry(list, scene());
     assignImpulses(list, std::move(impulses), *exchange);
+    markBonds(list);
     isListStale = false;
 }
 
@@ -144,6 +148,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     ContactProblem problem = makeProblem(external.speedScale);
     AndersonAcceleration::Impulses beforeShock;
     gatherImpulses(list.blocks, problem.all(), beforeShock);
+    const RollingSlots rollingBeforeShock = list.rolling;
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
@@ -158,6 +163,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     {
         std::copy_n(beforeShock.begin() + static_cast<std::ptrdiff_t>(3*blockLanes*k), 3*blockLanes, &list.blocks[k].r[0][0]);
     }
+    list.rolling = rollingBeforeShock;
 }
 
 void GrainDynamics::Implementation::correctPositions(StepReport& report)
@@ -205,6 +211,10 @@ void GrainDynamics::beginStep(double deltaT)
     if (self.isListStale) self.measureDiameter();
     if (self.isListStale || !self.coversStep()) self.rebuildList(self.grains.velocity);
     else if (haveJumped) updateGeometry(self.list, self.scene());
+    if (self.isStepBegun) return;
+    self.isStepBegun = true;
+    markBonds(self.list);
+    self.beforeStep = self.list.cohesion.empty() ? ImpulseRecord() : collectImpulses(self.list);
 }
 
 bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->list.candidates > 0); }
@@ -231,6 +241,7 @@ Prediction GrainDynamics::tryForces(const ExternalForces& external)
     {
         if (self_->list.isUsed(slot)) setImpulse(self_->list, slot, Vec3::Zero());
     }
+    for (RollingSlot& slot : self_->list.rolling) std::fill_n(slot.q, 3, 0.0);
     assignImpulses(self_->list, std::move(impulses), *self_->exchange);
     return prediction;
 }
@@ -263,6 +274,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
         report.asleep = self.sleep.count();
     }
     self.lastReport = report;
+    self.isStepBegun = false;
     return report;
 }
 

@@ -45,10 +45,11 @@ struct StoredImpulse
 {
     std::int64_t idA;
     std::int64_t idB;
-    Vec3 impulse;  ///< on A [N s], over the last step
+    Vec3 impulse;                  ///< on A [N s], over the last step; without the attraction of cohesion
+    Vec3 rolling = Vec3::Zero();   ///< rolling and spinning moment on A over the reduced radius [N s] (rollingFriction.hpp)
 };
 
-/// A contact that carries an impulse, after a step. b < 0: wall region -1 - b.
+/// A contact that carries an impulse or attracts, after a step. b < 0: wall region -1 - b.
 struct LoadedContact
 {
     int a;         ///< index of a grain
@@ -57,7 +58,9 @@ struct LoadedContact
     std::int64_t idB;
     Vec3 normal;   ///< unit, from b to a, at the present positions
     double gap;    ///< [m], at the present positions; negative: overlap
-    Vec3 impulse;  ///< on a [N s], of the motion of the last step
+    Vec3 impulse;  ///< on a [N s], of the motion of the last step, attraction included
+    Vec3 attraction = Vec3::Zero();  ///< what cohesion has in it [N s]
+    Vec3 moment = Vec3::Zero();      ///< of rolling and spinning friction on a [N m s]; that of `impulse` comes on top
 };
 
 /// Rigid grains with unilateral frictional contact, advanced one step at a time.
@@ -76,10 +79,14 @@ public:
     const Grains& grains() const;
     /// Replaces the grains, for whoever adds, removes or moves some; impulses follow the identities that are still there.
     void setGrains(Grains grains);
+    /// Velocity [m/s] and spin [rad/s] of a held grain (Grains::isFixed, infinite mass), which moves and turns with them whatever
+    /// touches it, until they are given anew. To be called before beginStep; contactForce() and contactTorque() tell what it takes.
+    /// Errors: std::invalid_argument for a grain that is not held, or values that are not finite
+    void drive(std::size_t grain, const Vec3& velocity, const Vec3& omega);
     /// Load of each grain on contact search and solve: the candidates it has a share in, and one for itself.
     std::vector<double> loads() const;
 
-    /// Finds pairs and builds the contacts at the present positions for a step of length dt [s].
+    /// Finds pairs and builds the contacts at the present positions for a step of length dt [s]; again before advance(): for another dt.
     /// Errors: std::invalid_argument for dt <= 0, coincident centers
     void beginStep(double dt);
 
@@ -98,7 +105,7 @@ public:
 
     /// Net contact force on each grain over the last step [N].
     const std::vector<Vec3>& contactForce() const;
-    /// Net contact torque on each grain over the last step [N m].
+    /// Net contact torque on each grain over the last step, of forces and of rolling and spinning friction [N m].
     const std::vector<Vec3>& contactTorque() const;
     /// Force of the grains on each wall patch over the last step [N].
     const std::vector<Vec3>& wallForce() const;
@@ -113,7 +120,7 @@ public:
     double time() const;
     void setTime(double time);
 
-    /// All contacts solved on this rank that carried an impulse in the last step; empty before the first one and after checkpoint().
+    /// All contacts solved on this rank that carried an impulse or attracted in the last step; empty before the first one and after checkpoint().
     std::vector<LoadedContact> contacts() const;
 
     /// Impulses of all contacts solved on this rank that carry one. After this call the next step searches anew, as a restarted run does,

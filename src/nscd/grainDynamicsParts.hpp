@@ -38,13 +38,19 @@ struct GrainDynamics::Implementation
     ImpulseRecord restored;
     IslandSleep sleep;
     StepReport lastReport;
+    bool isStepBegun = false;
+    ImpulseRecord beforeStep;     // kept where there is cohesion
     ContactForces forces;
     StepTimes times;
 
     Scene scene() const { return {grains, materials, walls, box}; }
     ContactProblem makeProblem(double speedScale)
     {
-        return {list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter};
+        return
+        {
+            list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter,
+            1.0, list.rolling.empty() ? nullptr : &list.rolling
+        };
     }
     /// Blocks that may carry impulses.
     BlockRange loaded() const { return sleep.any() ? BlockRange{nullptr, list.blocks.size()} : BlockRange{list.awake.data(), list.awake.size()}; }

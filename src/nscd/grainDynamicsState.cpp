@@ -32,7 +32,12 @@ GrainDynamics::GrainDynamics
     }
     self_->solve = findContactSolver(settings.solver);
     self_->kernels = chooseKernels(settings.vectorPath.c_str());
-    self_->isFrictional = self_->materials.anyFriction();
+    if (settings.solver != "NLGS" && self_->materials.anyRolling())
+    {
+        throw invalidValue("contact solver", settings.solver, "NLGS where there is rolling or spinning friction");
+    }
+    // Whatever acts on spins.
+    self_->isFrictional = self_->materials.anyFriction() || self_->materials.anyRolling();
     self_->measureDiameter();
     self_->clearForces();
 }
@@ -49,6 +54,22 @@ void GrainDynamics::setGrains(Grains grains)
     self_->grains.shrinkToFit();
     self_->clearForces();
     restore(impulses, lastDeltaT);
+}
+
+void GrainDynamics::drive(std::size_t grain, const Vec3& velocity, const Vec3& omega)
+{
+    Grains& grains = self_->grains;
+    if (grain >= grains.size() || !grains.isFixed[grain])
+    {
+        throw invalidValue("driven grain", grain, "the index of a held grain (isFixed)");
+    }
+    if (!velocity.allFinite() || !omega.allFinite())
+    {
+        throw invalidValue("velocity of driven grain " + std::to_string(grains.id[grain]), "not finite", "finite components [m/s, rad/s]");
+    }
+    if (velocity != grains.velocity[grain] || omega != grains.omega[grain]) self_->sleep.wakeAll();
+    grains.velocity[grain] = velocity;
+    grains.omega[grain] = omega;
 }
 
 std::vector<double> GrainDynamics::loads() const
@@ -86,10 +107,13 @@ std::vector<LoadedContact> GrainDynamics::contacts() const
         const ContactBlock& block = list.blocks[entry.slot/blockLanes];
         const int lane = entry.slot % blockLanes;
         const std::int64_t idB = entry.pair.b < 0 ? entry.pair.b : list.id[block.b[lane]];
+        const Vec3 pull = list.cohesion.empty() ? Vec3(Vec3::Zero()) : Vec3(list.cohesion[entry.slot].attraction);
+        const Vec3 moment = list.hasRolling ? rollingMoment(list, entry.slot) : Vec3(Vec3::Zero());
         loaded.push_back
-        (
-            {entry.pair.a, entry.pair.b, list.id[block.a[lane]], idB, normal(list, entry.slot), list.gap[entry.slot], entry.pair.impulse}
-        );
+        ({
+            entry.pair.a, entry.pair.b, list.id[block.a[lane]], idB, normal(list, entry.slot), list.gap[entry.slot],
+            entry.pair.impulse + pull, pull, moment
+        });
     }
     return loaded;
 }
@@ -102,6 +126,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
     self.isListStale = true;
+    self.isStepBegun = false;
     return byIdentity(self.restored, self.grains);
 }
 
@@ -113,6 +138,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.sleep.wakeAll();
     self.list = ContactList();
     self.isListStale = true;
+    self.isStepBegun = false;
 }
 
 } // namespace nscd

@@ -42,7 +42,7 @@ struct Grains
     std::vector<double> mass;
     std::vector<int> material;            ///< index into Materials
     std::vector<std::int64_t> id;         ///< unique over all ranks and the whole run
-    std::vector<std::uint8_t> isFixed;    ///< 1: held in place, infinite mass
+    std::vector<std::uint8_t> isFixed;    ///< 1: held or driven, infinite mass: moves with its velocity and omega as given
 
     std::size_t size() const { return position.size(); }
     double volume(std::size_t i) const { return shape.volume(radius[i]); }

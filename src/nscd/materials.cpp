@@ -12,6 +12,16 @@
 namespace nscd
 {
 
+namespace
+{
+
+void checkNotNegative(const char* name, double value)
+{
+    if (!(value >= 0.0) || !std::isfinite(value)) throw invalidValue(name, value, "a finite value >= 0");
+}
+
+} // namespace
+
 int Materials::add(const std::string& name)
 {
     if (find(name) >= 0) throw invalidValue("material", name, "a name not used before");
@@ -38,10 +48,11 @@ void Materials::setPair(int a, int b, const ContactPair& pair)
 {
     if (a < 0 || a >= size()) throw invalidValue("material index", a, "an index of a material added before");
     if (b < 0 || b >= size()) throw invalidValue("material index", b, "an index of a material added before");
-    if (!(pair.friction >= 0.0) || !std::isfinite(pair.friction))
-    {
-        throw invalidValue("friction", pair.friction, "a finite value >= 0");
-    }
+    checkNotNegative("friction", pair.friction);
+    checkNotNegative("rolling friction", pair.rollingFriction);
+    checkNotNegative("spinning friction", pair.spinningFriction);
+    checkNotNegative("cohesion", pair.cohesion);
+    checkNotNegative("cohesion range", pair.cohesionRange);
     if (!(pair.restitution >= 0.0 && pair.restitution <= 1.0))
     {
         throw invalidValue("restitution", pair.restitution, "0 to 1");
@@ -67,6 +78,24 @@ bool Materials::anyFriction() const
 bool Materials::anyRestitution() const
 {
     return std::any_of(pairs_.begin(), pairs_.end(), [](const ContactPair& p) { return p.restitution > 0.0; });
+}
+
+bool Materials::anyRolling() const
+{
+    const auto resists = [](const ContactPair& p) { return p.rollingFriction > 0.0 || p.spinningFriction > 0.0; };
+    return std::any_of(pairs_.begin(), pairs_.end(), resists);
+}
+
+bool Materials::anyCohesion() const
+{
+    return std::any_of(pairs_.begin(), pairs_.end(), [](const ContactPair& p) { return p.cohesion > 0.0; });
+}
+
+double Materials::cohesionRange() const
+{
+    double largest = 0.0;
+    for (const ContactPair& p : pairs_) largest = p.cohesion > 0.0 ? std::max(largest, p.cohesionRange) : largest;
+    return largest;
 }
 
 } // namespace nscd

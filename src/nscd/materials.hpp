@@ -10,14 +10,18 @@
 namespace nscd
 {
 
-/// Friction and restitution of one pair of materials.
+/// The contact laws of one pair of materials.
 struct ContactPair
 {
-    double friction = 0.0;     ///< Coulomb's mu, >= 0
-    double restitution = 0.0;  ///< Newton's e in [0, 1]; 0 is the inelastic shock
+    double friction = 0.0;          ///< Coulomb's mu, >= 0
+    double restitution = 0.0;       ///< Newton's e in [0, 1]; 0 is the inelastic shock
+    double rollingFriction = 0.0;   ///< mu_r >= 0: see rollingFriction.hpp
+    double spinningFriction = 0.0;  ///< mu_s >= 0: likewise
+    double cohesion = 0.0;          ///< attraction of a closed contact, the force that pulls it off, >= 0 [N]
+    double cohesionRange = 0.0;     ///< gap up to which it acts on open contacts too, >= 0 [m]
 };
 
-/// Named materials with a symmetric table of pairs; a pair nobody set is frictionless and inelastic.
+/// Named materials with a symmetric table of pairs; a pair nobody set is frictionless, inelastic, and does not cohere.
 class Materials
 {
 public:
@@ -26,7 +30,7 @@ public:
     int add(const std::string& name);
 
     /// Sets a pair (symmetric).
-    /// Errors: std::invalid_argument for friction < 0 or not finite, restitution outside [0, 1], or an unknown index
+    /// Errors: std::invalid_argument for a negative or not finite coefficient, restitution outside [0, 1], or an unknown index
     void setPair(int materialA, int materialB, const ContactPair& pair);
 
     const ContactPair& pair(int materialA, int materialB) const { return pairs_[materialA*size() + materialB]; }
@@ -39,6 +43,11 @@ public:
 
     bool anyFriction() const;
     bool anyRestitution() const;
+    /// Whether any pair resists rolling or spinning.
+    bool anyRolling() const;
+    bool anyCohesion() const;
+    /// Largest range of any pair that coheres [m].
+    double cohesionRange() const;
 
 private:
     std::vector<std::string> names_;

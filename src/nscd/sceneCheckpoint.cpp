@@ -18,7 +18,7 @@ constexpr char kind[] = "nscdScen";
 constexpr std::uint64_t version = 1;
 
 static_assert(sizeof(Vec3) == 3*sizeof(double) && sizeof(Quaternion) == 4*sizeof(double), "vectors are written as plain numbers");
-static_assert(sizeof(StoredImpulse) == 2*sizeof(std::int64_t) + sizeof(Vec3), "impulses are written as they lie in memory");
+static_assert(sizeof(StoredImpulse) == 2*sizeof(std::int64_t) + 2*sizeof(Vec3), "impulses are written as they lie in memory");
 
 /// What is no array.
 struct Numbers
@@ -29,6 +29,7 @@ struct Numbers
     double lastDeltaT;
     std::int64_t dimensions;
     double thickness;
+    std::int64_t emptyAxis;
 };
 
 /// Names as one text, each ended by a zero byte.
@@ -81,7 +82,7 @@ SceneState takeState(GrainDynamics& dynamics, double time, std::int64_t step)
 void writeCheckpoint(const std::string& path, const SceneState& state)
 {
     const GrainShape& shape = state.grains.shape;
-    const Numbers numbers = {state.grains.size(), state.step, state.time, state.lastDeltaT, shape.dimensions, shape.thickness};
+    const Numbers numbers = {state.grains.size(), state.step, state.time, state.lastDeltaT, shape.dimensions, shape.thickness, shape.emptyAxis};
     SectionFileWriter file(path, kind, version);
     file.section("numbers", std::vector<Numbers>(1, numbers));
     file.section("materials", joined(state.materials));
@@ -110,6 +111,7 @@ SceneState readCheckpoint(const std::string& path)
     state.grains.nOwned = state.grains.size();
     state.grains.shape.dimensions = static_cast<int>(numbers[0].dimensions);
     state.grains.shape.thickness = numbers[0].thickness;
+    state.grains.shape.emptyAxis = static_cast<int>(numbers[0].emptyAxis);
     state.time = numbers[0].time;
     state.lastDeltaT = numbers[0].lastDeltaT;
     state.step = numbers[0].step;

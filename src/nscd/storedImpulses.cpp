@@ -4,6 +4,7 @@
 // Look-up of impulses by pairs of grains.
 #include "storedImpulses.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <unordered_map>
 
@@ -13,10 +14,12 @@ namespace nscd
 namespace
 {
 
+bool isSwapped(const PairImpulse& entry) { return entry.b >= 0 && entry.b < entry.a; }
+
 /// The same impulse seen from the grain of lower index.
 PairImpulse fromLowerGrain(const PairImpulse& entry)
 {
-    return entry.b >= 0 && entry.b < entry.a ? PairImpulse{entry.b, entry.a, -entry.impulse} : entry;
+    return isSwapped(entry) ? PairImpulse{entry.b, entry.a, -entry.impulse} : entry;
 }
 
 /// Impulses grouped by their first grain.
@@ -24,20 +27,24 @@ struct ImpulsesByGrain
 {
     std::vector<int> start;
     std::vector<PairImpulse> entries;
+    std::vector<Vec3> rolling;   ///< of each entry, or empty
 };
 
-ImpulsesByGrain groupByGrain(const std::vector<PairImpulse>& impulses, std::size_t grains)
+ImpulsesByGrain groupByGrain(const std::vector<PairImpulse>& impulses, const std::vector<Vec3>& rolling, std::size_t grains)
 {
     ImpulsesByGrain table;
     table.start.assign(grains + 1, 0);
     table.entries.resize(impulses.size());
+    table.rolling.resize(rolling.size());
     for (const PairImpulse& entry : impulses) ++table.start[fromLowerGrain(entry).a + 1];
     std::partial_sum(table.start.begin(), table.start.end(), table.start.begin());
     std::vector<int> next(table.start.begin(), table.start.end() - 1);
-    for (const PairImpulse& entry : impulses)
+    for (std::size_t k = 0; k < impulses.size(); ++k)
     {
-        const PairImpulse ordered = fromLowerGrain(entry);
-        table.entries[next[ordered.a]++] = ordered;
+        const PairImpulse ordered = fromLowerGrain(impulses[k]);
+        const int place = next[ordered.a]++;
+        table.entries[place] = ordered;
+        if (!rolling.empty()) table.rolling[place] = isSwapped(impulses[k]) ? Vec3(-rolling[k]) : rolling[k];
     }
     return table;
 }
@@ -50,48 +57,61 @@ std::unordered_map<std::int64_t, int> numberById(const std::vector<GhostGrain>& 
 }
 
 /// What other ranks solve now goes to them; what they had that is solved here comes back.
-std::vector<InterfaceImpulse> handOver(const ContactList& list, const std::vector<InterfaceImpulse>& impulses, Exchange& exchange)
+/// `value(k)`: the impulse of entry k to be handed over, its own or the rolling one.
+template<class Value>
+std::vector<InterfaceImpulse> handOver
+(
+    const ContactList& list, const std::vector<InterfaceImpulse>& impulses, const Value& value, Exchange& exchange
+)
 {
     std::vector<std::int64_t> idOf(list.owned());
     for (int body = 0; body < list.owned(); ++body) idOf[list.grainOf[body]] = list.id[body];
     const std::unordered_map<std::int64_t, int> elsewhere = numberById(list.solvedElsewhere);
     std::vector<InterfaceImpulse> here;
     std::vector<ImpulseForOwner> away;
-    for (const InterfaceImpulse& entry : impulses)
+    for (std::size_t k = 0; k < impulses.size(); ++k)
     {
+        const InterfaceImpulse& entry = impulses[k];
         const auto ghost = elsewhere.find(entry.id);
         if (ghost == elsewhere.end())
         {
-            here.push_back(entry);
+            here.push_back({entry.own, entry.id, value(k)});
             continue;
         }
         const GhostGrain& other = list.solvedElsewhere[ghost->second];
-        away.push_back({other.owner, other.index, idOf[entry.own], -entry.impulse});
+        away.push_back({other.owner, other.index, idOf[entry.own], -value(k)});
     }
     for (const ImpulseForOwner& entry : exchange.deliver(away)) here.push_back({entry.index, entry.id, entry.impulse});
     return here;
 }
 
-/// Impulses between own grains and ghosts of this list, these numbered as ContactList::grain does.
-void addInterface(const ContactList& list, const std::vector<InterfaceImpulse>& impulses, std::vector<PairImpulse>& pairs)
+/// Adds impulses between own grains and ghosts of this list, these numbered as ContactList::grain does, to the inner ones.
+void addInterface(const ContactList& list, ImpulseRecord& record, Exchange& exchange)
 {
+    const std::vector<InterfaceImpulse>& entries = record.interface;
+    const std::vector<InterfaceImpulse> here = handOver(list, entries, [&](std::size_t k) { return entries[k].impulse; }, exchange);
+    std::vector<InterfaceImpulse> rolling;
+    if (list.hasRolling) rolling = handOver(list, entries, [&](std::size_t k) { return record.interfaceRolling[k]; }, exchange);
+
     const std::unordered_map<std::int64_t, int> number = numberById(list.ghosts);
-    for (const InterfaceImpulse& entry : impulses)
+    for (std::size_t k = 0; k < here.size(); ++k)
     {
-        const auto ghost = number.find(entry.id);
-        if (ghost != number.end()) pairs.push_back({entry.own, list.owned() + ghost->second, entry.impulse});
+        const auto ghost = number.find(here[k].id);
+        if (ghost == number.end()) continue;
+        record.inner.push_back({here[k].own, list.owned() + ghost->second, here[k].impulse});
+        if (!rolling.empty()) record.innerRolling.push_back(rolling[k].impulse);
     }
 }
 
-/// Calls visit(slot, impulse of its pair) for slots that carry one.
+/// Calls visit(slot, impulse of its pair) for slots that carry one or, when asked for, attract.
 template<class Visit>
-void forEachLoaded(const ContactList& list, const Visit& visit)
+void forEachLoaded(const ContactList& list, bool withAttracting, const Visit& visit)
 {
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (!list.isUsed(slot)) continue;
         const Vec3 r = impulse(list, slot);
-        if (r == Vec3::Zero()) continue;
+        if (r == Vec3::Zero() && !(withAttracting && list.cohesion[slot].isActing())) continue;
         const ContactBlock& block = list.blocks[slot/blockLanes];
         const int wall = list.wall[slot];
         const int b = wall >= 0 ? -1 - wall : list.grain(block.b[slot % blockLanes]);
@@ -99,10 +119,12 @@ void forEachLoaded(const ContactList& list, const Visit& visit)
     }
 }
 
-void assignPairs(ContactList& list, const std::vector<PairImpulse>& impulses)
+void setRolling(RollingSlot& slot, const Vec3& q) { std::copy_n(q.data(), 3, slot.q); }
+
+void assignPairs(ContactList& list, const ImpulseRecord& record)
 {
-    if (impulses.empty()) return;
-    ImpulsesByGrain table = groupByGrain(impulses, list.grainOf.size());
+    if (record.inner.empty()) return;
+    ImpulsesByGrain table = groupByGrain(record.inner, record.innerRolling, list.grainOf.size());
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (!list.isUsed(slot)) continue;
@@ -123,6 +145,11 @@ void assignPairs(ContactList& list, const std::vector<PairImpulse>& impulses)
         }
         if (!best) continue;
         setImpulse(list, slot, isSwapped ? Vec3(-best->impulse) : best->impulse);
+        if (list.hasRolling)
+        {
+            const Vec3& q = table.rolling[best - table.entries.data()];
+            setRolling(list.rolling[slot], isSwapped ? Vec3(-q) : q);
+        }
         best->impulse.setZero();
     }
 }
@@ -132,37 +159,49 @@ void assignPairs(ContactList& list, const std::vector<PairImpulse>& impulses)
 std::vector<SlotImpulse> loadedSlots(const ContactList& list)
 {
     std::vector<SlotImpulse> loaded;
-    forEachLoaded(list, [&](std::size_t slot, const PairImpulse& pair) { loaded.push_back({slot, pair}); });
+    forEachLoaded(list, !list.cohesion.empty(), [&](std::size_t slot, const PairImpulse& pair) { loaded.push_back({slot, pair}); });
     return loaded;
 }
 
 ImpulseRecord collectImpulses(const ContactList& list)
 {
     ImpulseRecord record;
-    forEachLoaded(list, [&](std::size_t, const PairImpulse& pair)
+    forEachLoaded(list, false, [&](std::size_t slot, const PairImpulse& pair)
     {
         const int ghost = pair.b - list.owned();
         if (ghost < 0) record.inner.push_back(pair);
         else record.interface.push_back({pair.a, list.ghosts[ghost].id, pair.impulse});
+        if (!list.hasRolling) return;
+        (ghost < 0 ? record.innerRolling : record.interfaceRolling).push_back(Vec3(list.rolling[slot].q));
     });
     return record;
 }
 
 void assignImpulses(ContactList& list, ImpulseRecord record, Exchange& exchange)
 {
-    if (exchange.isParallel()) addInterface(list, handOver(list, record.interface, exchange), record.inner);
-    assignPairs(list, record.inner);
+    // What is restored may have been stored without.
+    record.innerRolling.resize(list.hasRolling ? record.inner.size() : 0, Vec3::Zero());
+    record.interfaceRolling.resize(list.hasRolling ? record.interface.size() : 0, Vec3::Zero());
+    if (exchange.isParallel()) addInterface(list, record, exchange);
+    assignPairs(list, record);
 }
 
 std::vector<StoredImpulse> byIdentity(const ImpulseRecord& record, const Grains& grains)
 {
+    const auto rolling = [](const std::vector<Vec3>& values, std::size_t k) { return values.empty() ? Vec3(Vec3::Zero()) : values[k]; };
     std::vector<StoredImpulse> stored;
     stored.reserve(record.inner.size() + record.interface.size());
-    for (const PairImpulse& entry : record.inner)
+    for (std::size_t k = 0; k < record.inner.size(); ++k)
     {
-        stored.push_back({grains.id[entry.a], entry.b >= 0 ? grains.id[entry.b] : entry.b, entry.impulse});
+        const PairImpulse& entry = record.inner[k];
+        const std::int64_t idB = entry.b >= 0 ? grains.id[entry.b] : entry.b;
+        stored.push_back({grains.id[entry.a], idB, entry.impulse, rolling(record.innerRolling, k)});
     }
-    for (const InterfaceImpulse& entry : record.interface) stored.push_back({grains.id[entry.own], entry.id, entry.impulse});
+    for (std::size_t k = 0; k < record.interface.size(); ++k)
+    {
+        const InterfaceImpulse& entry = record.interface[k];
+        stored.push_back({grains.id[entry.own], entry.id, entry.impulse, rolling(record.interfaceRolling, k)});
+    }
     return stored;
 }
 
@@ -176,12 +215,20 @@ ImpulseRecord byIndex(const std::vector<StoredImpulse>& impulses, const Grains& 
         const auto a = indexOf.find(entry.idA);
         const auto b = indexOf.find(entry.idB);
         const bool isWall = entry.idB < 0;
-        if (a != indexOf.end() && (isWall || b != indexOf.end()))
+        const bool hasA = a != indexOf.end();
+        if (hasA && (isWall || b != indexOf.end()))
         {
             record.inner.push_back({a->second, isWall ? static_cast<int>(entry.idB) : b->second, entry.impulse});
+            record.innerRolling.push_back(entry.rolling);
         }
-        else if (a != indexOf.end()) record.interface.push_back({a->second, entry.idB, entry.impulse});
-        else if (b != indexOf.end()) record.interface.push_back({b->second, entry.idA, -entry.impulse});
+        else if (hasA || b != indexOf.end())
+        {
+            record.interface.push_back
+            ({
+                hasA ? a->second : b->second, hasA ? entry.idB : entry.idA, hasA ? entry.impulse : Vec3(-entry.impulse)
+            });
+            record.interfaceRolling.push_back(hasA ? entry.rolling : Vec3(-entry.rolling));
+        }
     }
     return record;
 }

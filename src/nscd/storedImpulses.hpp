@@ -30,6 +30,9 @@ struct ImpulseRecord
 {
     std::vector<PairImpulse> inner;
     std::vector<InterfaceImpulse> interface;
+    /// Rolling impulses of the same entries (rollingFriction.hpp) [N s]; empty in scenes without.
+    std::vector<Vec3> innerRolling;
+    std::vector<Vec3> interfaceRolling;
 
     bool isEmpty() const { return inner.empty() && interface.empty(); }
 };
@@ -41,8 +44,9 @@ struct SlotImpulse
     PairImpulse pair;   ///< ghosts by ContactList::grain
 };
 
-/// Impulses that are not zero.
+/// Contacts whose impulse is not zero, or that attract; impulses without attraction.
 std::vector<SlotImpulse> loadedSlots(const ContactList& list);
+/// Impulses that are not zero.
 ImpulseRecord collectImpulses(const ContactList& list);
 
 /// Gives each candidate the impulse its pair had; of several images of a pair, the one best aligned with the impulse gets it.

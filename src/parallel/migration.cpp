@@ -48,7 +48,7 @@ std::vector<Value> movedAsPlain(const Migration& migration, const std::vector<Va
 struct ImpulseRecord
 {
     std::int64_t idA, idB;
-    Plain3 impulse;
+    Plain3 impulse, rolling;
 };
 
 GrainRecord recordOf(const Grains& g, std::size_t i)
@@ -119,11 +119,11 @@ std::vector<StoredImpulse> moveImpulses
 {
     std::vector<ImpulseRecord> sent;
     sent.reserve(impulses.size());
-    for (const StoredImpulse& entry : impulses) sent.push_back({entry.idA, entry.idB, plain(entry.impulse)});
+    for (const StoredImpulse& entry : impulses) sent.push_back({entry.idA, entry.idB, plain(entry.impulse), plain(entry.rolling)});
     std::vector<StoredImpulse> received;
     for (const ImpulseRecord& entry : valuesOf<ImpulseRecord>(all.exchange(messagesByRank(sent, destination))))
     {
-        received.push_back({entry.idA, entry.idB, vectorOf(entry.impulse)});
+        received.push_back({entry.idA, entry.idB, vectorOf(entry.impulse), vectorOf(entry.rolling)});
     }
     return received;
 }

@@ -136,6 +136,7 @@ double difference(const GrainState& a, const GrainState& b)
         EXPECT_EQ(a.contacts[c].idA, b.contacts[c].idA);
         EXPECT_EQ(a.contacts[c].idB, b.contacts[c].idB);
         compareVec(a.contacts[c].impulse, b.contacts[c].impulse);
+        compareVec(a.contacts[c].rolling, b.contacts[c].rolling);
     }
     return worst;
 }
@@ -156,6 +157,28 @@ std::string complaintWithout(const fileName& file, double share)
 }
 
 } // namespace
+
+TEST(Restart, rollingMomentsAreWrittenWhereThereIsRollingFriction)
+{
+    GrainState state = randomState(20);
+    for (nscd::StoredImpulse& contact : state.contacts) contact.rolling = 0.1*contact.impulse;
+    for (const bool isRolling : {true, false})
+    {
+        MaterialProperties materials = twoMaterials();
+        nscd::ContactPair pair;
+        pair.rollingFriction = isRolling ? 0.1 : 0;
+        materials.table.setPair(0, 1, pair);
+        BoxMesh box(inFormat("binary"));
+        ++box.time();
+        writeGrainState(box.mesh(), state, materials.table, labelList(label(state.grains.size()), -1));
+        EXPECT_EQ(isFile(box.time().timePath()/"lagrangian/contacts/rolling"), isRolling);
+        const GrainState back = readBack(box, materials);
+        for (std::size_t c = 0; c < state.contacts.size(); ++c)
+        {
+            EXPECT_EQ(back.contacts.at(c).rolling, isRolling ? state.contacts[c].rolling : Vec3(Vec3::Zero()));
+        }
+    }
+}
 
 TEST(GrainCloud, comesBackToTheBitFromBinaryAndFullAscii)
 {

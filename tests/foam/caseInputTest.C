@@ -98,6 +98,27 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_EQ(p.time.subCycles, 3);
 }
 
+TEST(GrainProperties, optionalLawsAndDrivenGrains)
+{
+    const GrainProperties p = read
+    (
+        glass + "contacts { default { friction 0.3; rollingFriction 0.05; spinningFriction 0.02; }"
+        " glass-steel { friction 0.2; cohesion [1 1 -2 0 0 0 0] 1e-4; cohesionRange 1e-5; } }" + lattice
+      + "driven { piston { ids (0 7); velocity table ((0 (0 0 0)) (1 (0 0 2))); } wheel { ids (3); velocity (0 0 0); omega (0 5 0); } }"
+    );
+    EXPECT_EQ(p.materials.table.pair(0, 0).rollingFriction, 0.05);
+    EXPECT_EQ(p.materials.table.pair(0, 0).spinningFriction, 0.02);
+    EXPECT_EQ(p.materials.table.pair(0, 0).cohesion, 0);
+    EXPECT_EQ(p.materials.table.pair(0, 1).rollingFriction, 0);
+    EXPECT_EQ(p.materials.table.pair(1, 0).cohesion, 1e-4);
+    EXPECT_EQ(p.materials.table.pair(1, 0).cohesionRange, 1e-5);
+    ASSERT_EQ(p.driven.size(), 2u);
+    EXPECT_EQ(p.driven[0].ids, (std::set<std::int64_t>{0, 7}));
+    EXPECT_NEAR(p.driven[0].velocity->value(0.25).z(), 0.5, 1e-15);
+    EXPECT_EQ(p.driven[0].omega, nullptr);
+    EXPECT_EQ(p.driven[1].omega->value(3), vector(0, 5, 0));
+}
+
 TEST(GrainProperties, dimensionsMayBeGivenAndAreConverted)
 {
     const dictionary dict = dictionaryOf("a [1 -3 0 0 0 0 0] 7; b b [0 1 0 0 0 0 0] 2; c 3; d [0 1 -1 0 0 0 0] (1 2 3);");
@@ -191,6 +212,18 @@ const std::vector<Bad> bad =
     {glass + "contacts { default { restitution 0; } }" + lattice, {"contacts.default.friction", "is missing"}},
     {glass + "contacts { glass-stel { friction 1; } }" + lattice, {"glass-stel", "nearest: glass-steel", "default"}},
     {glass + "contacts { glass-steel { friction 1; } steel-glass { friction 1; } }" + lattice, {"steel-glass", "repeats"}},
+    {glass + "contacts { default { friction 1; rollingFriction -0.1; } }" + lattice, {"contacts.default.rollingFriction", ">= 0"}},
+    {glass + "contacts { default { friction 1; rolingFriction 0.1; } }" + lattice, {"nearest: rollingFriction"}},
+    {glass + "contacts { default { friction 1; cohesion -1; } }" + lattice, {"contacts.default.cohesion", ">= 0"}},
+    {glass + "contacts { default { friction 1; cohesion [0 1 0 0 0 0 0] 1; } }" + lattice, {"contacts.default.cohesion", "dimensions"}},
+    {glass + "contacts { default { friction 1; rollingFriction 0.1; } }" + lattice + "solver { type queue; }",
+        {"solver.type", "rolling", "NLGS"}},
+    {first + "driven { a { velocity (0 0 1); } }", {"driven.a", "ids", "is missing"}},
+    {first + "driven { a { ids (1 1); velocity (0 0 1); } }", {"driven.a", "ids", "twice"}},
+    {first + "driven { a { ids (1); } }", {"driven.a", "velocity", "is missing"}},
+    {first + "driven { a { ids (1); velocty (0 0 1); } }", {"driven.a"}},
+    {first + "driven { a { ids (1); velocity (0 0 1); omga (0 0 1); } }", {"nearest: omega"}},
+    {first + "driven { a { ids (1); velocity (0 0 1); } b { ids (1); velocity (0 0 1); } }", {"driven.b", "another group"}},
     {start + "grains { type latice; }", {"grains.type", "value:   latice", "nearest: lattice", "positionsFile"}},
     {start + "grains { a { type table; file x; material glas; } }", {"grains.a.material", "nearest: glass"}},
     {start + "grains { a { type table; file x; material steel; } }", {"materials.steel", "no density"}},

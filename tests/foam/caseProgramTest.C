@@ -120,6 +120,32 @@ TEST(Program, runsWithoutGrains)
     EXPECT_EQ(c.reported("0", "grains").back(), 0);
 }
 
+TEST(Program, drivesGrainsAlongTheIntegralOfTheirVelocity)
+{
+    // From 0 to 1 m/s within the 10 ms of the run: 5 mm up, whatever the steps within a step, and whatever falls on them.
+    const std::string driven = "driven { a { ids (0 5); velocity table ((0 (0 0 0)) (0.01 (0 0 1))); omega (0 0 4); } } ";
+    const ProgramCase held(Files{{"constant/grainProperties", grains + "driven { a { ids (0 5); velocity (0 0 0); } } fluid none;"}}, "writePrecision 12;");
+    EXPECT_TRUE(succeeds(held.run()));
+    const List<vector> start = grainVectors(held, "position");
+    for (const std::string more : {"fluid none; timeStep { subCycles 3; }", ""})
+    {
+        const ProgramCase c(Files{{"constant/grainProperties", grains + driven + more}}, "writePrecision 12;");
+        EXPECT_TRUE(succeeds(c.run()));
+        const List<vector> position = grainVectors(c, "position");
+        for (const label id : {0, 5})
+        {
+            EXPECT_NEAR(position[id].z(), start[id].z() + 0.005, 1e-10);
+            EXPECT_NEAR(grainVectors(c, "omega")[id].z(), 4, 1e-10);
+        }
+        EXPECT_LT(position[1].z(), start[0].z() + 0.001);
+    }
+}
+
+TEST(BadStart, drivenGrainsMustBeThere)
+{
+    EXPECT_TRUE(isRefusedWith("constant/grainProperties", grains + "driven { a { ids (3 18); velocity (0 0 1); } }", {"driven.a", "not there"}));
+}
+
 TEST(Program, runsWithTheDragSwitchedOffAndSubCycles)
 {
     const ProgramCase c(Files{{"constant/grainProperties", grains + "forces { drag { law none; } } timeStep { subCycles 3; }"}});
@@ -276,6 +302,16 @@ const std::string restingGrains =
 TEST(Program, aDryRunGoesOnFromAWrittenTimeAsIfNeverStopped)
 {
     EXPECT_EQ(filesThatDiffer(restingGrains + "fluid none;", "", stateFiles), std::vector<std::string>());
+}
+
+TEST(Program, aRunWithRollingFrictionAndCohesionGoesOnFromAWrittenTimeAsIfNeverStopped)
+{
+    std::string properties = restingGrains;
+    const std::string plain = "friction 0.3; restitution 0.4;";
+    properties.replace(properties.find(plain), plain.size(), plain + " rollingFriction 0.05; spinningFriction 0.02; cohesion 0.05;");
+    std::vector<std::string> files = stateFiles;
+    files.push_back("lagrangian/contacts/rolling");
+    EXPECT_EQ(filesThatDiffer(properties, "", files), std::vector<std::string>());
 }
 
 TEST(Program, aCoupledRunGoesOnFromAWrittenTimeAsIfNeverStopped)

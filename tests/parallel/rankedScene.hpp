@@ -97,14 +97,14 @@ public:
         {
             here.push_back(static_cast<double>(c.idA));
             here.push_back(static_cast<double>(c.idB));
-            add(here, c.impulse);
+            for (const Vec3& x : {c.impulse, c.attraction, c.moment}) add(here, x);
         }
         const std::vector<double> all = gather(here);
         std::vector<nscd::LoadedContact> contacts;
-        for (std::size_t k = 0; k < all.size(); k += 5)
+        for (std::size_t k = 0; k < all.size(); k += 11)
         {
             const std::int64_t idA = static_cast<std::int64_t>(all[k]), idB = static_cast<std::int64_t>(all[k + 1]);
-            contacts.push_back({-1, -1, idA, idB, Vec3::Zero(), 0.0, Vec3(&all[k + 2])});
+            contacts.push_back({-1, -1, idA, idB, Vec3::Zero(), 0.0, Vec3(&all[k + 2]), Vec3(&all[k + 5]), Vec3(&all[k + 8])});
         }
         return contacts;
     }

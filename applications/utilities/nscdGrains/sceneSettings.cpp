@@ -22,6 +22,7 @@ void readShape(const CheckedEntries& top, SceneSettings& scene)
     const double dimensions = top.number("dimensions", anyNumber(), 3);
     if (dimensions != 2 && dimensions != 3) top.reject("dimensions", "is out of range", "2 (discs in the x-y plane) or 3 (spheres)");
     scene.shape.dimensions = static_cast<int>(dimensions);
+    scene.shape.emptyAxis = scene.isPlanar() ? 2 : -1;
     scene.shape.thickness = top.number("thickness", above(0), 1.0);
     if (top.found("thickness") && !scene.isPlanar()) top.reject("thickness", "is for discs", "dimensions 2");
 

@@ -130,6 +130,12 @@ vectorField CloudReader::vectors(const word& field) const { return read<vector>(
 labelList CloudReader::labels(const word& field) const { return read<label>(field); }
 
 
+bool CloudReader::found(const word& field) const
+{
+    return returnReduce(isFile(file(field).objectPath()), orOp<bool>());
+}
+
+
 void CloudReader::checkTotal(const word& field, label total) const
 {
     const label found = returnReduce(max(size_, label(0)), sumOp<label>());

@@ -75,7 +75,7 @@ void writeGrains(const polyMesh& mesh, const nscd::Grains& grains, const GrainEx
 void writeContacts
 (
     const polyMesh& mesh, const std::vector<nscd::StoredImpulse>& contacts, const nscd::Grains& grains,
-    const labelUList& cells
+    const nscd::Materials& materials, const labelUList& cells
 )
 {
     using nscd::StoredImpulse;
@@ -90,6 +90,8 @@ void writeContacts
     cloud.write("idA", idA);
     cloud.write("idB", idB);
     cloud.write("impulse", converted<vector>(contacts, [](const StoredImpulse& c) { return toFoam(c.impulse); }));
+    if (!materials.anyRolling()) return;
+    cloud.write("rolling", converted<vector>(contacts, [](const StoredImpulse& c) { return toFoam(c.rolling); }));
 }
 
 /// Index into the present materials of each material at the time of writing.
@@ -196,12 +198,14 @@ std::vector<nscd::StoredImpulse> readContacts
     cloud.checkTotal("idA", state.nContacts);
     const labelList idB = cloud.labels("idB");
     const vectorField impulse = cloud.vectors("impulse");
+    const bool hasRolling = cloud.found("rolling");
+    const vectorField rolling = hasRolling ? cloud.vectors("rolling") : vectorField(impulse.size(), Zero);
 
     const IndexOfId index = indexById(grains);
     std::vector<nscd::StoredImpulse> contacts;
     forAll(idA, c)
     {
-        contacts.push_back({idA[c], idB[c], toVec3(impulse[c])});
+        contacts.push_back({idA[c], idB[c], toVec3(impulse[c]), toVec3(rolling[c])});
         // Grains of a contact may be another rank's: whoever brings contacts to their grains looks for them.
         const bool isKnownA = Pstream::parRun() || index.count(idA[c]) > 0;
         const bool isKnownB = idB[c] < 0 ? -1 - idB[c] < nWallRegions : Pstream::parRun() || index.count(idB[c]) > 0;
@@ -230,7 +234,7 @@ void writeGrainState
 )
 {
     writeGrains(mesh, state.grains, state.extras, cells);
-    writeContacts(mesh, state.contacts, state.grains, cells);
+    writeContacts(mesh, state.contacts, state.grains, materials, cells);
     RunState run;
     run.nGrains = returnReduce(label(state.grains.size()), sumOp<label>());
     run.nContacts = returnReduce(label(state.contacts.size()), sumOp<label>());

@@ -91,13 +91,14 @@ Words solverWords()
 }
 
 
-nscd::ContactSettings readContactSettings(const CheckedDict& top)
+nscd::ContactSettings readContactSettings(const CheckedDict& top, const nscd::Materials& materials)
 {
     const dictionary dict = top.subOrEmpty("solver");
     const CheckedDict given(dict);
     nscd::ContactSettings s;
     s.solver = given.choice("type", solverWords(), s.solver);
     if (Pstream::parRun() && s.solver != "NLGS") given.reject("type", "works on one rank only", "NLGS");
+    if (materials.anyRolling() && s.solver != "NLGS") given.reject("type", "knows no rolling or spinning friction", "NLGS");
     s.tolerance = given.number("tolerance", above(0), dimless, s.tolerance);
     s.displacementTolerance = given.number("displacementTolerance", above(0), dimless, s.displacementTolerance);
     s.maxSweeps = given.integer("maxSweeps", 1, s.maxSweeps);
@@ -230,7 +231,8 @@ GrainProperties readGrainProperties(const dictionary& dict)
     readPlanes(top, properties);
     properties.walls = readWalls(top, properties);
     readSources(top, properties);
-    properties.contact = readContactSettings(top);
+    properties.driven = readDriven(top);
+    properties.contact = readContactSettings(top, properties.materials.table);
     properties.maxLoadImbalance = readMaxLoadImbalance(top, properties.maxLoadImbalance);
     readCoupling(top, properties);
     top.finish();

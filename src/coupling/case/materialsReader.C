@@ -22,6 +22,10 @@ nscd::ContactPair readPair(const dictionary& dict)
     nscd::ContactPair pair;
     pair.friction = given.number("friction", atLeast(0));
     pair.restitution = given.number("restitution", between(0, 1), dimless, 0.0);
+    pair.rollingFriction = given.number("rollingFriction", atLeast(0), dimless, 0.0);
+    pair.spinningFriction = given.number("spinningFriction", atLeast(0), dimless, 0.0);
+    pair.cohesion = given.number("cohesion", atLeast(0), dimForce, 0.0);
+    pair.cohesionRange = given.number("cohesionRange", atLeast(0), dimLength, 0.0);
     given.finish();
     return pair;
 }

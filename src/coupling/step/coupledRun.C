@@ -38,8 +38,14 @@ bool CoupledRun::nextStep()
     dynamics_->setTime(time_.value());
     ++time_;
     balanceRanks();
+    driveTo(time_.value(), time_.deltaTValue());
     if (hasFluid()) immersion_->sources.beginStep();
     return true;
+}
+
+void CoupledRun::driveTo(scalar end, scalar deltaT)
+{
+    driveGrains(properties_.driven, *dynamics_, end - deltaT, end, scene_.space.emptyAxis);
 }
 
 void CoupledRun::sampleFluid()
@@ -151,6 +157,7 @@ void CoupledRun::advanceGrains()
     step_.grainReport = ::nscd::StepReport();
     for (label cycle = 0; cycle < subCycles; ++cycle)
     {
+        if (subCycles > 1) driveTo(time_.value() - (subCycles - 1 - cycle)*deltaT, deltaT);
         const LinearDrag drag = subCycles == 1 || !active_.drag
             ? step_.drag : splitAgain(dynamics_->grains(), step_.drag, dragModel().weighting, deltaT);
         step_.grainReport = worstOf(step_.grainReport, advanceOnce(drag, deltaT), cycle + 1);

@@ -26,20 +26,23 @@ void continueTime(Time& time, scalar written)
 
 bool areAllFixed(const ::nscd::Grains& grains, const ::nscd::Exchange& exchange)
 {
-    double anyFree = 0;
-    for (std::uint8_t isFixed : grains.isFixed)
+    double anyMoves = 0;
+    for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        if (!isFixed) anyFree = 1;
+        if (!grains.isFixed[i] || grains.velocity[i] != Vec3::Zero()) anyMoves = 1;
     }
-    exchange.max(&anyFree, 1);
-    return anyFree == 0;
+    exchange.max(&anyMoves, 1);
+    return anyMoves == 0;
 }
 
-ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool hasFriction)
+/// Without friction of any kind grains do not turn.
+bool canTurn(const ::nscd::Materials& materials) { return materials.anyFriction() || materials.anyRolling(); }
+
+ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool canTurn)
 {
     if (!hasFluid) return {false, false, false, false};
     const bool hasDrag = forces.dragLaw != "none";
-    return {hasDrag, forces.pressureGradient, forces.viscous, hasDrag && hasFriction && forces.spinDrag};
+    return {hasDrag, forces.pressureGradient, forces.viscous, hasDrag && canTurn && forces.spinDrag};
 }
 
 GrainProperties readRunnable(const Time& time, const polyMesh& mesh)
@@ -58,7 +61,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     properties_(readRunnable(time, mesh)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
-    active_(activeForces(properties_.forces, properties_.solvesFluid, properties_.materials.table.anyFriction())),
+    active_(activeForces(properties_.forces, properties_.solvesFluid, canTurn(properties_.materials.table))),
     ranks_(properties_.maxLoadImbalance),
     log_(time, Info, properties_.solvesFluid)
 {
@@ -88,6 +91,7 @@ void CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
     GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
+    holdDriven(properties_.driven, state.grains, *ranks_.exchange(), isRestart && hasExits());
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;
     state = ranks_.share(state, {});
     const std::size_t n = state.grains.size();
@@ -130,7 +134,7 @@ void CoupledRun::startFluid()
     }
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
-    sources.isStatic = hasGrains() && areAllFixed(grains, *ranks_.exchange());
+    sources.isStatic = hasGrains() && properties_.driven.empty() && areAllFixed(grains, *ranks_.exchange());
     sources.hasResponse = feedsBack() && !sources.isStatic;
     if (hasGrains()) updateWeights();
     checkFieldDimensions(mesh_);

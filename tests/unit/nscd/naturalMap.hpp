@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace scenes
@@ -40,11 +41,16 @@ public:
     NaturalMap operator()(const nscd::Grains& before, const nscd::Grains& after, const std::vector<nscd::LoadedContact>& contacts)
     {
         impulses_.clear();
+        attracting_.clear();
         for (const nscd::LoadedContact& c : contacts)
         {
             const int a = static_cast<int>(c.idA), b = static_cast<int>(c.idB);
             const bool isSwapped = b >= 0 && b < a;
-            impulses_[isSwapped ? std::pair(b, a) : std::pair(a, b)] = isSwapped ? Vec3(-c.impulse) : c.impulse;
+            const std::pair<int, int> key = isSwapped ? std::pair(b, a) : std::pair(a, b);
+            // What cohesion pulls is a known force; the laws hold for the rest.
+            const Vec3 r = c.impulse - c.attraction;
+            impulses_[key] = isSwapped ? Vec3(-r) : r;
+            if (c.attraction != Vec3::Zero()) attracting_.insert(key);
         }
         sum2_ = 0.0;
         result_ = NaturalMap();
@@ -86,7 +92,9 @@ private:
         if (!(wn > 0.0)) return;
         const auto found = impulses_.find(key);
         const Vec3 r = found == impulses_.end() ? Vec3(Vec3::Zero()) : found->second;
-        const double bias = gap > deadBand_ ? gap/deltaT_ : 0.0;
+        // What attracts beyond the dead band here is a bond, drawn back to the band (scenes have no range of cohesion).
+        const double target = attracting_.count(key) > 0 ? deadBand_ : 0.0;
+        const double bias = gap > deadBand_ ? (gap - target)/deltaT_ : 0.0;
         const double rn = r.dot(n);
         const Vec3 rt = r - rn*n;
         const double normalDefect = wn*std::abs(rn - std::max(0.0, rn - (u.dot(n) + bias)/wn));
@@ -106,6 +114,7 @@ private:
     double deadBand_;
     double deltaT_;
     std::map<std::pair<int, int>, Vec3> impulses_;
+    std::set<std::pair<int, int>> attracting_;
     NaturalMap result_;
     double sum2_ = 0.0;
 };

@@ -165,7 +165,8 @@ TEST(GoodScene, everyKeywordDoesWhatItSays)
         "FoamFile { version 2.0; } // as OpenFOAM's\n"
         "dimensions 2; thickness 0.5; gravity (1 -2 0); deltaT 0.01; endTime 3; writeInterval 0.5; purgeWrite 0; results out;\n"
         "materials { \"glass\" { density 2500; } steel { density 7800; } } /* two */\n"
-        "contacts { default { friction 0.3; } steel-glass { friction 0.1; restitution 0.9; } }\n"
+        "contacts { default { friction 0.3; rollingFriction 0.02; spinningFriction 0.01; cohesion 2; cohesionRange 1e-3; }"
+        " steel-glass { friction 0.1; restitution 0.9; } }\n"
         "wallMaterial glass; maxInitialOverlap 0.2; motion fixed;\n"
         "grains { a { type lattice; box (0 0 7) (1 1 7); count (2 2 9); diameter 0.1; material steel; velocity (1 2 0); omega (0 0 3); motion free; }\n"
         "         b { type lattice; box (0 2 0) (1 3 0); count (1 1 1); diameter 0.2; material glass; } }\n"
@@ -189,6 +190,10 @@ TEST(GoodScene, everyKeywordDoesWhatItSays)
     EXPECT_EQ(scene.contact.vectorPath, "portable");
     EXPECT_EQ(scene.materials.table.pair(0, 1).restitution, 0.9);
     EXPECT_EQ(scene.materials.table.pair(1, 1).friction, 0.3);
+    EXPECT_EQ(scene.materials.table.pair(1, 1).rollingFriction, 0.02);
+    EXPECT_EQ(scene.materials.table.pair(1, 1).spinningFriction, 0.01);
+    EXPECT_EQ(scene.materials.table.pair(0, 0).cohesion, 2.0);
+    EXPECT_EQ(scene.materials.table.pair(0, 0).cohesionRange, 1e-3);
     EXPECT_EQ(scene.maxInitialOverlap, 0.2);
 
     const nscd::Grains grains = nscdGrains::placeGrains(scene);
