@@ -99,6 +99,7 @@ ContactSolver findContactSolver(const std::string& name);
 
 SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings);
 SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings);
+SolveReport solveDirect(ContactProblem& problem, const ContactSettings& settings);
 
 /// Completes a report with the residual of the solution reached.
 void reportResidual(SolveReport& report, const StopRule& rule, const DefectSums& sums);
