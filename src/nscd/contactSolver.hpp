@@ -33,6 +33,8 @@ struct ContactProblem
     double diameter;      ///< mean d [m]
     /// Mean over the grains of min(1, speed/speedScale) before the step: 1 in a flow, small in a bed at rest.
     double motion = 1.0;
+    /// Of all bodies that move, heaviest to lightest.
+    double massRatio = 1.0;
 
     BlockRange all() const { return {nullptr, blocks.size()}; }
     BlockRange active() const { return {awake.data(), awake.size()}; }

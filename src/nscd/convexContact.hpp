@@ -28,8 +28,8 @@ struct ConeContact
     Vec3 impulse;            ///< p [N s]
 };
 
-/// Minimizes J(x) = |x - x_free|_M^2/2 + sum over contacts of |p|^2/(2 rho), p = Proj_K(r - rho (u + (b + mu s) n)), u = B x;
-/// its gradient is M (x - x_free) - sum of B^T p, so that at the minimum x = x_free + M^-1 B^T p: p are impulses that make x.
+/// Minimizes the convex J(x) with gradient M (x - x_free) - sum of B^T p, p = smoothedImpulse(r, u + (b + mu s) n), u = B x: at the
+/// minimum x = x_free + M^-1 B^T p, so that p are impulses that make x. Its Hessian is M + sum of B^T (-dp/du) B.
 class ConvexContact
 {
 public:
@@ -39,14 +39,12 @@ public:
     std::vector<ConeContact>& contacts() { return contacts_; }
     const std::vector<ConeContact>& contacts() const { return contacts_; }
 
-    /// Multiplications of a Newton step's factorization; infinite above `limit`.
-    double multiplications(double limit) { return stiffness_.analyze(limit); }
+    /// Newton steps from `x`, each as long as J falls along it, until no body's velocity is off by more than `limit` [m/s] or rounding
+    /// ends it. Without smoothing the contacts of a stack close one by one, a step each: so it starts at `firstSmoothing` and shrinks to
+    /// `lastSmoothing` [m/s]. Impulses are those of the x found. Returns the steps made.
+    int minimize(Eigen::VectorXd& x, double limit, double firstSmoothing, double lastSmoothing);
 
-    /// Semismooth Newton steps from `x`, each as long as J falls along it, until no body's velocity is off by more than `limit` [m/s]
-    /// or rounding keeps it from falling. Impulses are those of the x found. Returns the steps made.
-    int minimize(Eigen::VectorXd& x, double limit);
-
-    /// x_free + M^-1 B^T p with the present impulses.
+    /// x_free + M^-1 B^T p of the present impulses.
     Eigen::VectorXd motion() const;
 
     /// Relative velocity of a contact [m/s].
@@ -57,10 +55,11 @@ private:
     Eigen::VectorXd impulsesOnBodies() const;
     Eigen::VectorXd newtonStep(const Eigen::VectorXd& gradient);
     double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& step) { return gradient(x).dot(step); }
-    void moveAlong(Eigen::VectorXd& x, const Eigen::VectorXd& step, double startSlope);
+    double moveAlong(Eigen::VectorXd& x, const Eigen::VectorXd& step, double startSlope);
 
     std::vector<ConeContact> contacts_;
-    std::vector<Eigen::Matrix3d> derivatives_;   ///< of the projections at the x of the last gradient
+    std::vector<Eigen::Matrix3d> stiffnesses_;   ///< -dp/du at the x of the last gradient
+    double smoothing_ = 0.0;                     ///< eta [m/s]
     Eigen::VectorXd free_;
     Eigen::VectorXd mass_;
     ContactStiffness stiffness_;

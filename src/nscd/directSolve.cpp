@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 namespace nscd
@@ -16,10 +14,15 @@ namespace nscd
 namespace
 {
 
-double stiffness = getenv("STIFF") ? atof(getenv("STIFF")) : 1e8;
-constexpr int maxRounds = 30;
-/// Rounds without a smaller residual after which the solve gives up.
+// Of contacts against the mobility of their bodies: a stack of 1000 needs 1e8 for two digits a round; what is left of 16 digits suffices.
+constexpr double stiffness = 1e8;
+/// Newton steps, and rounds without a smaller residual, after which a solve gives up.
+constexpr int maxSteps = 400;
 constexpr int patience = 4;
+/// A round is solved to this share of what it is meant to leave, which is this share of what it found.
+constexpr double leastAccuracy = 0.1, leastProgress = 0.1;
+/// A solution within the rule is not worth rounds that leave more than this share: slips that go on settling.
+constexpr double slowProgress = 0.3;
 
 double normalMobility(const Body& a, const Body& b) { return a.invMass + b.invMass; }
 
@@ -38,19 +41,10 @@ struct SlotView
     std::array<int, 2> bodies() const { return {block.a[lane], block.b[lane]}; }
 };
 
-/// How far a residual is beyond the rule: up to 1 is within.
-double excess(const DefectSums& sums, const StopRule& rule)
+void setImpulse(ContactProblem& problem, std::size_t slot, const Vec3& r)
 {
-    return std::max(rms(sums)/rule.rmsLimit, std::sqrt(sums.maxSquare)/rule.maxLimit);
+    for (int k = 0; k < 3; ++k) problem.blocks[slot/blockLanes].r[k][slot % blockLanes] = r[k];
 }
-
-/// Impulses and velocities to go back to.
-struct Snapshot
-{
-    std::vector<Body> bodies;
-    std::vector<Vec3> impulses;
-    double excess = std::numeric_limits<double>::infinity();
-};
 
 } // namespace
 
@@ -116,9 +110,11 @@ MotionComponents DirectSolve::components() const
 
 double DirectSolve::price(double limit) const
 {
-    // Measured: a Newton step costs as much beside the factorization as 30 visits of each contact in a sweep, a visit as much as ten multiplications.
-    constexpr double steps = 15.0, visitsPerContact = 30.0, multiplicationsPerVisit = 10.0;
-    constexpr double mostMultiplications = 1e11;
+    // Measured: Newton steps from cold, and what one costs beside the factorization and in it.
+    constexpr double steps = 60.0, visitsPerContact = 70.0, multiplicationsPerVisit = 10.0;
+    constexpr double mostMultiplications = 1e10;
+    constexpr std::size_t mostBodies = 20000;
+    if (bodies_.size() > mostBodies) return std::numeric_limits<double>::infinity();
     std::vector<JoinedBodies> joinedBodies;
     for (std::size_t slot : slots_) joinedBodies.push_back(joined(slot));
     ContactStiffness matrix(joinedBodies, static_cast<int>(bodies_.size()), components());
@@ -168,11 +164,7 @@ Eigen::VectorXd DirectSolve::motion() const
 
 void DirectSolve::store(const ConvexContact& solved)
 {
-    for (const ConeContact& c : solved.contacts())
-    {
-        ContactBlock& block = problem_.blocks[c.slot/blockLanes];
-        for (int k = 0; k < 3; ++k) block.r[k][c.slot % blockLanes] = c.impulse[k];
-    }
+    for (const ConeContact& c : solved.contacts()) setImpulse(problem_, c.slot, c.impulse);
     const Eigen::VectorXd x = solved.motion();
     for (std::size_t k = 0; k < bodies_.size(); ++k)
     {
@@ -181,47 +173,63 @@ void DirectSolve::store(const ConvexContact& solved)
     }
 }
 
-double DirectSolve::run(const StopRule& rule, double fineness)
+int DirectSolve::run(const StopRule& rule, double fineness)
 {
-    const bool verbose = getenv("VERB");
-    std::vector<Body> bodies = problem_.bodies;
-    std::vector<ContactBlock> blocks = problem_.blocks;
-    double best = excess(residual(problem_), rule);
-    int sinceBest = 0, steps = 0;
-    if (verbose) printf("direct: %zu contacts %zu bodies, start excess %g\n", slots_.size(), bodies_.size(), best);
+    Snapshot best = snapshot(rule);
+    if (slots_.empty()) return 0;
     std::unique_ptr<ConvexContact> convex = build();
     Eigen::VectorXd x = motion();
-    for (int round = 0; round < maxRounds && best > fineness && sinceBest < patience; ++round)
+    double before = best.excess;
+    int steps = 0, sinceBest = 0;
+    for (int round = 0; steps < maxSteps && before > fineness && sinceBest < patience; ++round)
     {
         for (ConeContact& c : convex->contacts())
         {
+            // Nothing is known of slips at first, and free motion tells wrong ones: a heap at rest has none.
             const Vec3 u = convex->relativeVelocity(c, x);
+            c.slip = round == 0 ? 0.0 : (u - u.dot(c.n)*c.n).norm();
             c.multiplier = c.impulse;
-            c.slip = c.impulse == Vec3::Zero() ? 0.0 : (u - u.dot(c.n)*c.n).norm();
         }
-        int n = convex->minimize(x, 0.1*fineness*rule.rmsLimit);
-        steps += n;
+        const double limit = leastAccuracy*std::max(fineness, leastProgress*std::min(best.excess, before))*rule.rmsLimit;
+        steps += convex->minimize(x, limit, std::sqrt(residual(problem_).maxSquare), std::sqrt(1e-3*limit*rule.speedScale/stiffness));
         store(*convex);
-        const double now = excess(residual(problem_), rule);
-        if (verbose) printf("  round %d: %d steps, excess %g\n", round, n, now);
+        Snapshot now = snapshot(rule);
+        const bool isSlow = now.excess > slowProgress*before;
+        before = now.excess;
         ++sinceBest;
-        if (now < best)
+        if (now.excess < best.excess)
         {
-            best = now;
-            bodies = problem_.bodies;
-            blocks = problem_.blocks;
+            best = std::move(now);
             sinceBest = 0;
         }
         if (collect(fineness*rule.rmsLimit))
         {
             convex = build();
             x = motion();
-            if (verbose) printf("  grown to %zu contacts\n", slots_.size());
         }
+        else if (isSlow && best.excess <= 1.0) break;
     }
-    problem_.bodies = bodies;
-    problem_.blocks = blocks;
+    restore(best);
     return steps;
+}
+
+DirectSolve::Snapshot DirectSolve::snapshot(const StopRule& rule) const
+{
+    const DefectSums sums = residual(problem_);
+    Snapshot taken{problem_.bodies, {}, std::max(rms(sums)/rule.rmsLimit, std::sqrt(sums.maxSquare)/rule.maxLimit)};
+    for (std::size_t slot : slots_) taken.impulses.push_back(SlotView(problem_, slot).impulse());
+    return taken;
+}
+
+void DirectSolve::restore(const Snapshot& taken)
+{
+    problem_.bodies = taken.bodies;
+    for (std::size_t k = 0; k < slots_.size(); ++k)
+    {
+        // Contacts that joined after it was taken carried nothing then.
+        const Vec3 r = k < taken.impulses.size() ? taken.impulses[k] : Vec3(Vec3::Zero());
+        setImpulse(problem_, slots_[k], r);
+    }
 }
 
 SolveReport solveDirect(ContactProblem& problem, const ContactSettings& settings)
@@ -229,15 +237,13 @@ SolveReport solveDirect(ContactProblem& problem, const ContactSettings& settings
     SolveReport report;
     if (problem.blocks.empty()) return report;
     const StopRule rule = makeStopRule(problem, settings, residual(problem));
-    DirectSolve direct(problem);
-    report.sweeps = direct.run(rule, rule.polish);
+    report.newtonSteps = DirectSolve(problem).run(rule, directFineness);
     wakeBlocks(problem);
     reportResidual(report, rule, residual(problem));
     if (report.converged) return report;
-    const int steps = report.sweeps;
-    if (getenv("VERB")) printf("finishing by sweeps\n");
+    const int steps = report.newtonSteps;
     report = solveNlgs(problem, settings);
-    report.sweeps += steps;
+    report.newtonSteps += steps;
     return report;
 }
 

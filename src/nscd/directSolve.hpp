@@ -13,6 +13,10 @@
 namespace nscd
 {
 
+/// Share of the stop rule's limits that a direct solve goes on to: another round costs little, and forces under tall or heavy
+/// things need more than velocities tell (in a stack of N the error of the forces is N^2 times that of the velocities).
+constexpr double directFineness = 1e-5;
+
 /// Proximal method of multipliers on Coulomb's cones, in the bodies' velocities: repeats
 ///     x <- argmin of ConvexContact,  r <- p,  s <- |u_t|
 /// until r stays. Then p is in the cone K, u + (b + mu s) n in its dual, and they are orthogonal: Coulomb's law in the form of
@@ -29,16 +33,26 @@ public:
     double price(double limit) const;
 
     /// Solves on from the present impulses until the common residual is within `fineness` of the rule, or gets no smaller.
-    /// Never leaves a larger residual than it found. Returns the work in sweeps.
-    double run(const StopRule& rule, double fineness);
+    /// Never leaves a larger residual than it found. Returns the Newton steps made.
+    int run(const StopRule& rule, double fineness);
 
 private:
+    /// A state to go back to.
+    struct Snapshot
+    {
+        std::vector<Body> bodies;
+        std::vector<Vec3> impulses;   ///< of slots_
+        double excess;                ///< residual over what the rule allows: up to 1 is within
+    };
+
     bool collect(double leastApproach);
     JoinedBodies joined(std::size_t slot) const;
     MotionComponents components() const;
     std::unique_ptr<ConvexContact> build() const;
     Eigen::VectorXd motion() const;
     void store(const ConvexContact& solved);
+    Snapshot snapshot(const StopRule& rule) const;
+    void restore(const Snapshot& taken);
 
     ContactProblem& problem_;
     std::vector<std::size_t> slots_;      ///< contacts in the matrix

@@ -26,6 +26,7 @@ struct GrainDynamics::Implementation
     SweepKernels kernels;
     bool isFrictional;
     double diameter = 1.0;
+    double massRatio = 1.0;       // of the grains that move, heaviest to lightest
 
     ContactList list;
     bool isListStale = true;
@@ -38,11 +39,11 @@ struct GrainDynamics::Implementation
     Scene scene() const { return {grains, materials, walls, box}; }
     ContactProblem makeProblem(double speedScale)
     {
-        return {list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter};
+        return {list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter, 1.0, massRatio};
     }
     double deadBand() const { return settings.deadBand*diameter; }
 
-    void measureDiameter();
+    void measureGrains();
     void clearForces();
     void rebuildList(const std::vector<Vec3>& velocity);
     SolveReport solveVelocities(const ExternalForces& external);

@@ -32,7 +32,7 @@ GrainDynamics::GrainDynamics
     self_->solve = findContactSolver(settings.solver);
     self_->kernels = chooseKernels(settings.vectorPath.c_str());
     self_->isFrictional = self_->materials.anyFriction();
-    self_->measureDiameter();
+    self_->measureGrains();
     self_->clearForces();
 }
 
