@@ -19,7 +19,9 @@ namespace
 constexpr double harmlessMassRatio = 100.0;
 /// Earlier a price is not worth asking for.
 constexpr int firstLook = 500;
+/// In sweeps up to the cap: what the direct method may cost where grains hardly move. In a flow, impulses change from step to step.
 constexpr double mostPerCap = 10.0;
+constexpr double restMotion = 0.1;
 
 /// Largest ratio of masses of two bodies that a loaded contact joins.
 double loadedMassRatio(const ContactProblem& problem)
@@ -39,7 +41,10 @@ double loadedMassRatio(const ContactProblem& problem)
 
 } // namespace
 
-double DirectHelp::priceLimit() const { return mostPerCap*settings_.maxSweeps; }
+double DirectHelp::priceLimit() const 
+{
+    return (problem_.motion < restMotion ? mostPerCap : 1.0)*settings_.maxSweeps;
+}
 
 bool DirectHelp::isDue(int sweeps)
 {

@@ -17,8 +17,10 @@ namespace
 // Of contacts against the mobility of their bodies: a stack of 1000 needs 1e8 for two digits a round; what is left of 16 digits suffices.
 constexpr double stiffness = 1e8;
 /// Newton steps, and rounds without a smaller residual, after which a solve gives up.
-constexpr int maxSteps = 400;
+constexpr int maxSteps = 150;
 constexpr int patience = 4;
+/// Wider cones are too far from round for the smoothing: left to sweeps.
+constexpr double largestFriction = 5.0;
 /// A round is solved to this share of what it is meant to leave, which is this share of what it found.
 constexpr double leastAccuracy = 0.1, leastProgress = 0.1;
 /// A solution within the rule is not worth rounds that leave more than this share: slips that go on settling.
@@ -108,13 +110,22 @@ MotionComponents DirectSolve::components() const
     return {0, 1, 2, 3, 4, 5};
 }
 
+bool DirectSolve::isWithinReach() const
+{
+    return !slots_.empty() && std::all_of(slots_.begin(), slots_.end(), [&](std::size_t slot)
+    {
+        const SlotView view(problem_, slot);
+        return view.block.friction[view.lane] <= largestFriction;
+    });
+}
+
 double DirectSolve::price(double limit) const
 {
     // Measured: Newton steps from cold, and what one costs beside the factorization and in it.
     constexpr double steps = 60.0, visitsPerContact = 70.0, multiplicationsPerVisit = 10.0;
     constexpr double mostMultiplications = 1e10;
     constexpr std::size_t mostBodies = 20000;
-    if (bodies_.size() > mostBodies) return std::numeric_limits<double>::infinity();
+    if (bodies_.size() > mostBodies || !isWithinReach()) return std::numeric_limits<double>::infinity();
     std::vector<JoinedBodies> joinedBodies;
     for (std::size_t slot : slots_) joinedBodies.push_back(joined(slot));
     ContactStiffness matrix(joinedBodies, static_cast<int>(bodies_.size()), components());
@@ -176,7 +187,7 @@ void DirectSolve::store(const ConvexContact& solved)
 int DirectSolve::run(const StopRule& rule, double fineness)
 {
     Snapshot best = snapshot(rule);
-    if (slots_.empty()) return 0;
+    if (!isWithinReach()) return 0;
     std::unique_ptr<ConvexContact> convex = build();
     Eigen::VectorXd x = motion();
     double before = best.excess;

@@ -45,6 +45,7 @@ private:
         double excess;                ///< residual over what the rule allows: up to 1 is within
     };
 
+    bool isWithinReach() const;
     bool collect(double leastApproach);
     JoinedBodies joined(std::size_t slot) const;
     MotionComponents components() const;

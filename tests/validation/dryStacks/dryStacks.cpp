@@ -6,7 +6,6 @@
 #include "../../unit/nscd/naturalMap.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 
 using namespace scenes;
@@ -81,7 +80,7 @@ Scene stack(int grains)
 Scene zigZagWall(int columns, int rows)
 {
     const double rise = 1.9*radius, shift = std::sqrt(4*radius*radius - rise*rise);
-    Scene scene(2, getenv("MU")?atof(getenv("MU")):0.5, 0.0);
+    Scene scene(2, 0.5, 0.0);
     for (int row = 0; row < rows; ++row)
     {
         for (int column = 0; column < columns; ++column)
@@ -97,7 +96,7 @@ Scene zigZagWall(int columns, int rows)
 
 Scene hexagonalStack(int perRow, int rows)
 {
-    Scene scene(2, getenv("MU")?atof(getenv("MU")):0.5, 0.0);
+    Scene scene(2, 0.5, 0.0);
     for (int row = 0; row < rows; ++row)
     {
         for (int i = 0; i < perRow - row % 2; ++i)
@@ -111,17 +110,39 @@ Scene hexagonalStack(int perRow, int rows)
     return scene;
 }
 
+/// S4 within a stack: a sphere 1e4 times heavier on 19 light ones, at the default settings.
+void heavyOnStack(double ratio, int steps)
+{
+    Scene scene = stack(20);
+    scene.grains.mass.back() *= ratio;
+    auto dynamics = scene.build(nscd::ContactSettings());
+    double worst = 0.0;
+    int newtonSteps = 0, unconverged = 0, hidden = 0;
+    for (int k = 0; k < steps; ++k)
+    {
+        const nscd::StepReport report = step(dynamics, scene.g, deltaT);
+        worst = std::max(worst, baseForceError(scene, dynamics));
+        newtonSteps += report.solve.newtonSteps;
+        unconverged += !report.solve.converged;
+        hidden += report.solve.hiddenMassRatio > 0.0;
+    }
+    std::printf("1:%g on a stack of 19, default settings, %d steps: %.2f Newton steps a step\n", ratio, steps, double(newtonSteps)/steps);
+    require("base force against weight, worst step", worst, 1e-3);
+    require("steps not converged, or that warn of hidden forces", unconverged + hidden, 0);
+}
+
 } // namespace
 
 int main()
 {
     nscd::ContactSettings settings;
-    if (getenv("SOLVER")) settings.solver = getenv("SOLVER");
-    if (getenv("TOL")) settings.tolerance = settings.displacementTolerance = atof(getenv("TOL"));
-    if (getenv("CAP")) settings.maxSweeps = atoi(getenv("CAP"));
-    int N=getenv("STEPS")?atoi(getenv("STEPS")):10; std::string only=getenv("ONLY")?getenv("ONLY"):"szh";
-    if(only.find("s")!=only.npos) coldThenRest("stack of 1000", stack(1000), settings, N);
-    if(only.find("z")!=only.npos) coldThenRest("zig-zag wall 3 x 300", zigZagWall(3, 300), settings, N);
-    if(only.find("h")!=only.npos) coldThenRest("hexagonal stack 20 x 200", hexagonalStack(20, 200), settings, N);
+    settings.tolerance = settings.displacementTolerance = 1e-8;
+    coldThenRest("stack of 1000", stack(1000), settings, 20);
+    coldThenRest("zig-zag wall 3 x 300", zigZagWall(3, 300), settings, 300);
+    coldThenRest("hexagonal stack 20 x 200", hexagonalStack(20, 200), settings, 100);
+    settings.deadBand *= 0.1;
+    std::printf("At a tenth of the dead band\n");
+    coldThenRest("stack of 1000", stack(1000), settings, 20);
+    for (double ratio : {1e2, 1e3, 1e4}) heavyOnStack(ratio, 300);
     return isFailed ? 1 : 0;
 }
