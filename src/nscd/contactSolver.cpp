@@ -149,7 +149,8 @@ const std::vector<ContactSolverRow>& contactSolvers()
     static const std::vector<ContactSolverRow> rows =
     {
         {"NLGS", solveNlgs, "nonlinear Gauss-Seidel sweeps over all contacts, accelerated when slow"},
-        {"queue", solveQueue, "the thesis' queue: only contacts whose neighborhood changed are solved again"}
+        {"queue", solveQueue, "the thesis' queue: only contacts whose neighborhood changed are solved again"},
+        {"direct", solveDirect, "Newton's method with sparse factors, for chains, walls and bodies of very different mass"}
     };
     return rows;
 }

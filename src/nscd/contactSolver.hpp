@@ -36,6 +36,8 @@ struct ContactProblem
     double motion = 1.0;
     /// Rolling and spinning friction, slot by slot; none in scenes without.
     RollingSlots* rolling = nullptr;
+    /// Of all bodies that move, heaviest to lightest.
+    double massRatio = 1.0;
 
     BlockRange all() const { return {nullptr, blocks.size()}; }
     BlockRange active() const { return {awake.data(), awake.size()}; }
@@ -102,6 +104,7 @@ ContactSolver findContactSolver(const std::string& name);
 
 SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings);
 SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings);
+SolveReport solveDirect(ContactProblem& problem, const ContactSettings& settings);
 
 /// Completes a report with the residual of the solution reached.
 void reportResidual(SolveReport& report, const StopRule& rule, const DefectSums& sums);

@@ -25,11 +25,21 @@ constexpr int maxListRebuilds = 6;
 
 } // namespace
 
-void GrainDynamics::Implementation::measureDiameter()
+void GrainDynamics::Implementation::measureGrains()
 {
     double sums[2] = {2.0*std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0), static_cast<double>(grains.size())};
     exchange->sum(sums, 2);
     if (sums[1] > 0.0) diameter = sums[0]/sums[1];
+
+    double extremes[2] = {0.0, 0.0};
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        if (grains.isFixed[i]) continue;
+        extremes[0] = std::max(extremes[0], grains.mass[i]);
+        extremes[1] = std::max(extremes[1], 1.0/grains.mass[i]);
+    }
+    exchange->max(extremes, 2);
+    massRatio = extremes[0]*extremes[1];
 }
 
 void GrainDynamics::Implementation::clearForces()
@@ -128,10 +138,11 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
         {
             velocity[list.grainOf[body]] = (attempt + 1.0)*Vec3(list.bodies[body].v);
         }
-        const int before = report.sweeps;
+        const int before = report.sweeps, newtonBefore = report.newtonSteps;
         rebuildList(velocity);
         report = solveAndWake(external);
         report.sweeps += before;
+        report.newtonSteps += newtonBefore;
     }
     return report;
 }
@@ -154,6 +165,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     shockSettings.displacementTolerance = 1.0;
     const SolveReport shock = solve(problem, shockSettings);
     report.sweeps += shock.sweeps;
+    report.newtonSteps += shock.newtonSteps;
     report.converged = report.converged && shock.converged;
     report.residualRms = std::max(report.residualRms, shock.residualRms);
     report.residualMax = std::max(report.residualMax, shock.residualMax);
@@ -208,7 +220,7 @@ void GrainDynamics::beginStep(double deltaT)
     if (deltaT != self.deltaT || haveJumped || self.movingWalls.isAnyMoving()) self.sleep.wakeAll();
     self.deltaT = deltaT;
     if (self.sleep.isEverybodyAsleep()) return;
-    if (self.isListStale) self.measureDiameter();
+    if (self.isListStale) self.measureGrains();
     if (self.isListStale || !self.coversStep()) self.rebuildList(self.grains.velocity);
     else if (haveJumped) updateGeometry(self.list, self.scene());
     if (self.isStepBegun) return;

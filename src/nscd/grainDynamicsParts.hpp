@@ -27,6 +27,7 @@ struct GrainDynamics::Implementation
     SweepKernels kernels;
     bool isFrictional;
     double diameter = 1.0;
+    double massRatio = 1.0;       // of the grains that move, heaviest to lightest
 
     MovingWalls movingWalls{walls};
     std::unique_ptr<WallSearch> wallSearch;
@@ -49,7 +50,7 @@ struct GrainDynamics::Implementation
         return
         {
             list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter,
-            1.0, list.rolling.empty() ? nullptr : &list.rolling
+            1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio
         };
     }
     /// Blocks that may carry impulses.
@@ -57,7 +58,7 @@ struct GrainDynamics::Implementation
     ContactForces contactForces() const { return sumContactForces(list, loaded(), scene(), deltaT); }
     double deadBand() const { return settings.deadBand*diameter; }
 
-    void measureDiameter();
+    void measureGrains();
     void makeWallSearch();
     bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list)); }
     void clearForces();

@@ -38,7 +38,7 @@ GrainDynamics::GrainDynamics
     }
     // Whatever acts on spins.
     self_->isFrictional = self_->materials.anyFriction() || self_->materials.anyRolling();
-    self_->measureDiameter();
+    self_->measureGrains();
     self_->clearForces();
 }
 

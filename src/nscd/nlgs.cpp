@@ -3,6 +3,7 @@
 //
 // Nonlinear Gauss-Seidel (Algorithm 2 of the method): sweeps over all contacts, warm started, with help when slow.
 #include "contactSolver.hpp"
+#include "directHelp.hpp"
 #include "slowSolve.hpp"
 
 #include <cmath>
@@ -27,6 +28,7 @@ SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings)
     StopRule rule{};
     int polishing = 0;
     SlowSolve slowSolve(problem);
+    DirectHelp direct(problem, settings);
     while (report.sweeps < settings.maxSweeps)
     {
         const DefectSums sums = sweepActive(problem);
@@ -36,12 +38,19 @@ SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings)
         if (rule.isMet(sums) && !isFineEnough) ++polishing;
         else if (rule.isMet(sums))
         {
+            direct.checkHeavyBodies(report, rule);
             reportResidual(report, rule, residual(problem));
             if (report.converged) return report;
         }
         if ((rule.isMet(sums) || isWakingDue(report.sweeps)) && wakeBlocks(problem)) slowSolve.forget();
         if (settings.accelerate) report.sweeps += slowSolve.afterSweep(report.sweeps, sums, rule);
+        if (direct.isDue(report.sweeps))
+        {
+            direct.solve(report, rule);
+            slowSolve.forget();
+        }
     }
+    direct.checkHeavyBodies(report, rule);
     reportResidual(report, rule, residual(problem));
     return report;
 }

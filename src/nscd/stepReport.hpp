@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 namespace nscd
 {
@@ -13,11 +14,15 @@ namespace nscd
 struct SolveReport
 {
     int sweeps = 0;
+    int newtonSteps = 0;        ///< of the direct method, where it was used
     bool converged = true;
     double residualRms = 0.0;   ///< natural map over active contacts, rms [m/s]
     double residualMax = 0.0;   ///< natural map, largest [m/s]
     double speedScale = 0.0;    ///< what the tolerance multiplies [m/s]
     std::size_t contacts = 0;   ///< contacts that carry an impulse
+    /// Largest ratio of masses across a loaded contact, where it is so large that forces can be wrong though velocities have
+    /// converged, and the direct method could not be used; 0: nothing to fear. See warning().
+    double hiddenMassRatio = 0.0;
 };
 
 struct StepReport
@@ -32,12 +37,17 @@ struct StepReport
     std::size_t asleep = 0;           ///< grains of islands that sleep
 };
 
+/// What a user should know of a solve beyond its figures; empty: nothing.
+std::string warning(const SolveReport& report);
+
 /// The report of several steps in a row as one: sums of sweeps, the worst of the rest; `count` steps with `next`.
 inline StepReport worstOf(const StepReport& before, const StepReport& next, int count)
 {
     if (count == 1) return next;
     StepReport worst = next;
     worst.solve.sweeps += before.solve.sweeps;
+    worst.solve.newtonSteps += before.solve.newtonSteps;
+    worst.solve.hiddenMassRatio = std::max(before.solve.hiddenMassRatio, next.solve.hiddenMassRatio);
     worst.solve.converged = before.solve.converged && next.solve.converged;
     worst.solve.residualRms = std::max(before.solve.residualRms, next.solve.residualRms);
     worst.solve.residualMax = std::max(before.solve.residualMax, next.solve.residualMax);

@@ -28,9 +28,9 @@ Scene pyramid(double grainFriction, double floorFriction)
     return scene;
 }
 
-double topAfterHalfASecond(const Scene& scene)
+double topAfterHalfASecond(const Scene& scene, const nscd::ContactSettings& settings = tight())
 {
-    auto dynamics = scene.build();
+    auto dynamics = scene.build(settings);
     for (int k = 0; k < 500; ++k) step(dynamics, scene.g, deltaT);
     return dynamics.grains().position[2][1];
 }
@@ -60,6 +60,16 @@ TEST(Pyramid, fallsBelowEitherThreshold)
     const double start = pyramid(1, 1).grains.position[2][1];
     EXPECT_LT(topAfterHalfASecond(pyramid(0.265, 0.0895)), start - 1e-3);
     EXPECT_LT(topAfterHalfASecond(pyramid(0.270, 0.0885)), start - 1e-3);
+}
+
+TEST(Pyramid, keepsItsThresholdsAtATenthOfTheDeadBand)
+{
+    nscd::ContactSettings settings = tight();
+    settings.deadBand *= 0.1;
+    const double start = pyramid(1, 1).grains.position[2][1];
+    EXPECT_NEAR(topAfterHalfASecond(pyramid(0.270, 0.0895), settings), start, 1e-10);
+    EXPECT_LT(topAfterHalfASecond(pyramid(0.265, 0.0895), settings), start - 1e-3);
+    EXPECT_LT(topAfterHalfASecond(pyramid(0.270, 0.0885), settings), start - 1e-3);
 }
 
 namespace
