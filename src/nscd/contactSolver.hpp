@@ -89,16 +89,19 @@ struct ContactSolverRow
     const char* name;
     ContactSolver solve;
     const char* description;
+    bool worksOnRanks;
 };
 
 /// All solvers by name.
 const std::vector<ContactSolverRow>& contactSolvers();
 
 /// Errors: std::invalid_argument listing the names there are
-ContactSolver findContactSolver(const std::string& name);
+const ContactSolverRow& findContactSolver(const std::string& name);
 
 SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings);
 SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings);
+SolveReport solveNncg(ContactProblem& problem, const ContactSettings& settings);
+SolveReport solveProjectedGradient(ContactProblem& problem, const ContactSettings& settings);
 
 /// Completes a report with the residual of the solution reached.
 void reportResidual(SolveReport& report, const StopRule& rule, const DefectSums& sums);
