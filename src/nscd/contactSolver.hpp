@@ -31,6 +31,7 @@ struct ContactProblem
     double deltaT;        ///< [s]
     double speedScale;    ///< from the forces of the step [m/s]
     double diameter;      ///< mean d [m]
+    const std::vector<Vec3>& position;  ///< of all bodies but the static one [m]
     /// Mean over the grains of min(1, speed/speedScale) before the step: 1 in a flow, small in a bed at rest.
     double motion = 1.0;
 

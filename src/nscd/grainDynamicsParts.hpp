@@ -38,7 +38,7 @@ struct GrainDynamics::Implementation
     Scene scene() const { return {grains, materials, walls, box}; }
     ContactProblem makeProblem(double speedScale)
     {
-        return {list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter};
+        return {list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter, list.position};
     }
     double deadBand() const { return settings.deadBand*diameter; }
 

@@ -39,6 +39,28 @@ inline Scene readBed(const std::string& path)
     return scene;
 }
 
+/// Lets a jittered lattice, 1.1 d apart, settle in a viscous medium, and writes it to a file.
+inline void settleBed(const std::string& path, int perSide, int layers, int steps)
+{
+    const double spacing = 2.2*bedRadius;
+    Scene scene = emptyPeriodicBed(perSide*spacing, perSide*spacing);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (int k = 0; k < layers; ++k)
+    for (int j = 0; j < perSide; ++j)
+    for (int i = 0; i < perSide; ++i)
+    {
+        const Vec3 shake = 0.09*bedRadius*Vec3(unit(random), unit(random), unit(random));
+        scene.addGrain(spacing*Vec3(i + 0.5, j + 0.5, k + 0.5) + shake, bedRadius, bedDensity);
+    }
+    auto dynamics = scene.build(nscd::ContactSettings());
+    for (int k = 0; k < steps; ++k) stepDamped(dynamics, scene.g, bedDeltaT);
+    std::ofstream file(path);
+    file.precision(17);
+    file << scene.box.length[0] << " " << scene.box.length[1] << "\n";
+    for (const Vec3& x : dynamics.grains().position) file << x.transpose() << "\n";
+}
+
 /// The contact problem of a bed's first step under its weight, in a state no solver has touched.
 class FrozenBed
 {
@@ -71,10 +93,24 @@ public:
         const nscd::ExternalForces forces = weight(scene_.grains, scene_.g, bedDeltaT);
         nscd::setFreeVelocities(list_, scene_.grains, forces, bedDeltaT);
         nscd::prepareSlots(list_, bedDeltaT, nscd::ContactSettings().deadBand*diameter_, 1.0);
-        return {list_.bodies, list_.blocks, list_.awake, list_.interfaceBlock, list_.halo, kernels_, true, bedDeltaT, forces.speedScale, diameter_};
+        return {list_.bodies, list_.blocks, list_.awake, list_.interfaceBlock, list_.halo, kernels_, true, bedDeltaT, forces.speedScale, diameter_,
+                list_.position};
     }
 
     std::size_t grains() const { return scene_.grains.size(); }
+
+    /// Impulse on the floor as the solve left it, of the weight's.
+    double baseForce() const
+    {
+        double sum = 0.0;
+        for (std::size_t slot = 0; slot < list_.slots(); ++slot)
+        {
+            if (list_.isUsed(slot) && list_.wall[slot] >= 0) sum += nscd::impulse(list_, slot)[2];
+        }
+        double mass = 0.0;
+        for (double m : scene_.grains.mass) mass += m;
+        return sum/(mass*gravity*bedDeltaT);
+    }
     const nscd::ContactList& list() const { return list_; }
 
 private:
