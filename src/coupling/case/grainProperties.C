@@ -95,7 +95,7 @@ nscd::ContactSettings readContactSettings(const CheckedDict& top)
     const CheckedDict given(dict);
     nscd::ContactSettings s;
     s.solver = given.choice("type", solverWords(), s.solver);
-    if (Pstream::parRun() && s.solver != "NLGS") given.reject("type", "works on one rank only", "NLGS");
+    if (Pstream::parRun() && !nscd::findContactSolver(s.solver).worksOnRanks) given.reject("type", "works on one rank only", "NLGS or NNCG");
     s.tolerance = given.number("tolerance", above(0), dimless, s.tolerance);
     s.displacementTolerance = given.number("displacementTolerance", above(0), dimless, s.displacementTolerance);
     s.maxSweeps = given.integer("maxSweeps", 1, s.maxSweeps);
