@@ -83,6 +83,26 @@ void AndersonAcceleration::remember(const std::vector<ContactBlock>& blocks, Imp
     hasPrevious_ = true;
 }
 
+void AndersonAcceleration::combine(const Gamma& gamma, Impulses& r) const
+{
+    // A fixed number of columns lets the compiler vectorize; those not yet filled hold finite numbers and have gamma = 0.
+    double weight[mixingDepth];
+    const float* difference[mixingDepth];
+    for (int column = 0; column < mixingDepth; ++column)
+    {
+        weight[column] = gamma[column];
+        difference[column] = imageDifference_[column].data();
+    }
+    const double* image = previousImage_.data();
+    double* mixed = r.data();
+    for (std::size_t i = 0; i < r.size(); ++i)
+    {
+        double sum = image[i];
+        for (int column = 0; column < mixingDepth; ++column) sum -= weight[column]*difference[column][i];
+        mixed[i] = sum;
+    }
+}
+
 void AndersonAcceleration::mix(const std::vector<ContactBlock>& blocks, Impulses& r)
 {
     if (!hasPrevious_)
@@ -105,12 +125,7 @@ void AndersonAcceleration::mix(const std::vector<ContactBlock>& blocks, Impulses
         forget();
         return;
     }
-    for (std::size_t i = 0; i < r.size(); ++i)
-    {
-        double mixed = previousImage_[i];
-        for (int column = 0; column < stored_; ++column) mixed -= gamma[column]*imageDifference_[column][i];
-        r[i] = mixed;
-    }
+    combine(gamma, r);
 }
 
 } // namespace nscd

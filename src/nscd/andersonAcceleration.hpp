@@ -42,6 +42,7 @@ private:
     void remember(const std::vector<ContactBlock>& blocks, Impulses& r);
     MixingHistory history();
     Gamma solveLeastSquares() const;
+    void combine(const Gamma& gamma, Impulses& r) const;
 
     BlockRange range_;
     DifferenceFunction addDifferences_;

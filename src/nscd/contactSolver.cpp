@@ -148,19 +148,21 @@ const std::vector<ContactSolverRow>& contactSolvers()
 {
     static const std::vector<ContactSolverRow> rows =
     {
-        {"NLGS", solveNlgs, "nonlinear Gauss-Seidel sweeps over all contacts, accelerated when slow"},
-        {"queue", solveQueue, "the thesis' queue: only contacts whose neighborhood changed are solved again"},
-        {"direct", solveDirect, "Newton's method with sparse factors, for chains, walls and bodies of very different mass"}
+        {"NLGS", solveNlgs, "nonlinear Gauss-Seidel sweeps over all contacts, accelerated when slow", true},
+        {"NNCG", solveNncg, "nonlinear conjugate gradients around Gauss-Seidel sweeps", true},
+        {"APG", solveProjectedGradient, "accelerated projected gradient with refreshed Tresca bounds, whatever the order of contacts", false},
+        {"queue", solveQueue, "the thesis' queue: only contacts whose neighborhood changed are solved again", false},
+        {"direct", solveDirect, "Newton's method with sparse factors, for chains, walls and bodies of very different mass", false}
     };
     return rows;
 }
 
-ContactSolver findContactSolver(const std::string& name)
+const ContactSolverRow& findContactSolver(const std::string& name)
 {
     std::string names;
     for (const ContactSolverRow& row : contactSolvers())
     {
-        if (name == row.name) return row.solve;
+        if (name == row.name) return row;
         names += (names.empty() ? "" : ", ") + std::string(row.name);
     }
     throw invalidValue("contact solver", name, names);

@@ -32,6 +32,7 @@ struct ContactProblem
     double deltaT;        ///< [s]
     double speedScale;    ///< from the forces of the step [m/s]
     double diameter;      ///< mean d [m]
+    const std::vector<Vec3>& position;  ///< of all bodies but the static one [m]
     /// Mean over the grains of min(1, speed/speedScale) before the step: 1 in a flow, small in a bed at rest.
     double motion = 1.0;
     /// Rolling and spinning friction, slot by slot; none in scenes without.
@@ -94,17 +95,20 @@ struct ContactSolverRow
     const char* name;
     ContactSolver solve;
     const char* description;
+    bool worksOnRanks;
 };
 
 /// All solvers by name.
 const std::vector<ContactSolverRow>& contactSolvers();
 
 /// Errors: std::invalid_argument listing the names there are
-ContactSolver findContactSolver(const std::string& name);
+const ContactSolverRow& findContactSolver(const std::string& name);
 
 SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings);
 SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings);
 SolveReport solveDirect(ContactProblem& problem, const ContactSettings& settings);
+SolveReport solveNncg(ContactProblem& problem, const ContactSettings& settings);
+SolveReport solveProjectedGradient(ContactProblem& problem, const ContactSettings& settings);
 
 /// Completes a report with the residual of the solution reached.
 void reportResidual(SolveReport& report, const StopRule& rule, const DefectSums& sums);

@@ -41,7 +41,7 @@ double loadedMassRatio(const ContactProblem& problem)
 
 } // namespace
 
-double DirectHelp::priceLimit() const 
+double DirectHelp::priceLimit() const
 {
     return (problem_.motion < restMotion ? mostPerCap : 1.0)*settings_.maxSweeps;
 }
@@ -58,10 +58,10 @@ bool DirectHelp::isDue(int sweeps)
     return sweeps >= due_;
 }
 
-void DirectHelp::solve(SolveReport& report, const StopRule& rule)
+void DirectHelp::solve(const StopRule& rule)
 {
     isDone_ = true;
-    report.newtonSteps += DirectSolve(problem_).run(rule, directFineness);
+    newtonSteps_ += DirectSolve(problem_).run(rule, directFineness);
     wakeBlocks(problem_);
 }
 
@@ -70,8 +70,14 @@ void DirectHelp::checkHeavyBodies(SolveReport& report, const StopRule& rule)
     if (!(problem_.massRatio > harmlessMassRatio) || isDone_) return;
     const double ratio = loadedMassRatio(problem_);
     if (!(ratio > harmlessMassRatio)) return;
-    if (!problem_.halo.isParallel() && DirectSolve(problem_).price(priceLimit()) <= priceLimit()) solve(report, rule);
+    if (!problem_.halo.isParallel() && DirectSolve(problem_).price(priceLimit()) <= priceLimit()) solve(rule);
     else report.hiddenMassRatio = ratio;
+}
+
+void DirectHelp::complete(SolveReport& report, const StopRule& rule)
+{
+    checkHeavyBodies(report, rule);
+    report.newtonSteps = newtonSteps_;
 }
 
 std::string warning(const SolveReport& report)

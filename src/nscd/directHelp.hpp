@@ -25,19 +25,21 @@ public:
     /// Whether to call solve() after so many sweeps.
     bool isDue(int sweeps);
 
-    void solve(SolveReport& report, const StopRule& rule);
+    void solve(const StopRule& rule);
 
     /// To be called with a solution that is about to be returned: makes the forces under heavy bodies right, or reports that they may not be.
-    void checkHeavyBodies(SolveReport& report, const StopRule& rule);
+    void complete(SolveReport& report, const StopRule& rule);
 
 private:
     double priceLimit() const;
+    void checkHeavyBodies(SolveReport& report, const StopRule& rule);
 
     ContactProblem& problem_;
     const ContactSettings& settings_;
     int due_ = std::numeric_limits<int>::max();
     bool hasPrice_ = false;
     bool isDone_ = false;
+    int newtonSteps_ = 0;
 };
 
 } // namespace nscd

@@ -50,7 +50,7 @@ struct GrainDynamics::Implementation
         return
         {
             list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter,
-            1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio
+            list.position, 1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio
         };
     }
     /// Blocks that may carry impulses.

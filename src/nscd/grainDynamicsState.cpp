@@ -26,11 +26,12 @@ GrainDynamics::GrainDynamics
     self_->box = box;
     self_->settings = settings;
     self_->exchange = std::move(exchange);
-    if (self_->exchange->isParallel() && settings.solver != "NLGS")
+    const ContactSolverRow& solver = findContactSolver(settings.solver);
+    if (self_->exchange->isParallel() && !solver.worksOnRanks)
     {
-        throw invalidValue("contact solver", settings.solver, "NLGS where there are several ranks");
+        throw invalidValue("contact solver", settings.solver, "NLGS or NNCG where there are several ranks");
     }
-    self_->solve = findContactSolver(settings.solver);
+    self_->solve = solver.solve;
     self_->kernels = chooseKernels(settings.vectorPath.c_str());
     if (settings.solver != "NLGS" && self_->materials.anyRolling())
     {

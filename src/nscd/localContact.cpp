@@ -30,16 +30,23 @@ LocalChange localChange(const ContactProblem& problem, std::size_t slot)
 {
     const ContactBlock& block = problem.blocks[slot/blockLanes];
     const int lane = slot % blockLanes;
+    return localChange(problem, slot, 1.0/block.invWn[lane], 1.0/block.invWt[lane]);
+}
+
+LocalChange localChange(const ContactProblem& problem, std::size_t slot, double wn, double wt)
+{
+    const ContactBlock& block = problem.blocks[slot/blockLanes];
+    const int lane = slot % blockLanes;
     const double n[3] = {block.n[0][lane], block.n[1][lane], block.n[2][lane]};
     const double r[3] = {block.r[0][lane], block.r[1][lane], block.r[2][lane]};
     double u[3];
     relativeVelocity(problem.bodies[block.a[lane]], problem.bodies[block.b[lane]], n, u);
     const double rn = dot(r, n), un = dot(u, n);
-    const double pn = std::max(0.0, rn - (un + block.bias[lane])*block.invWn[lane]);
+    const double pn = std::max(0.0, rn - (un + block.bias[lane])/wn);
 
     // Scenes without friction have no spin: their friction coefficient is zero and q is dropped.
     double q[3];
-    for (int k = 0; k < 3; ++k) q[k] = r[k] - rn*n[k] - (u[k] - un*n[k])*block.invWt[lane];
+    for (int k = 0; k < 3; ++k) q[k] = r[k] - rn*n[k] - (u[k] - un*n[k])/wt;
     const double limit = block.friction[lane]*pn;
     const double q2 = dot(q, q);
     const double scale = q2 > limit*limit ? limit/std::sqrt(q2) : 1.0;
@@ -52,8 +59,8 @@ LocalChange localChange(const ContactProblem& problem, std::size_t slot)
         change.impulse[k] = (pn - rn)*n[k] + t;
         tangential2 += t*t;
     }
-    const double normal = (pn - rn)/block.invWn[lane];
-    change.defect = std::sqrt(normal*normal + tangential2/(block.invWt[lane]*block.invWt[lane]));
+    const double normal = (pn - rn)*wn;
+    change.defect = std::sqrt(normal*normal + tangential2*wt*wt);
     return change;
 }
 

@@ -20,6 +20,9 @@ struct LocalChange
 
 LocalChange localChange(const ContactProblem& problem, std::size_t slot);
 
+/// The same with other mobilities than the contact's W_nn and W_tt [1/kg]: larger ones make a step that is shorter.
+LocalChange localChange(const ContactProblem& problem, std::size_t slot, double wn, double wt);
+
 /// Changes the slot's impulse and the velocities of its two bodies.
 void apply(ContactProblem& problem, std::size_t slot, const LocalChange& change);
 

@@ -2,12 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Nonlinear Gauss-Seidel (Algorithm 2 of the method): sweeps over all contacts, warm started, with help when slow.
-#include "contactSolver.hpp"
 #include "directHelp.hpp"
 #include "slowSolve.hpp"
-
-#include <cmath>
-#include <stdexcept>
+#include "sweepLoop.hpp"
 
 namespace nscd
 {
@@ -15,44 +12,44 @@ namespace nscd
 namespace
 {
 
-/// Whether sleeping contacts are looked at after this sweep: often at first, when velocities change most.
-bool isWakingDue(int sweeps) { return sweeps % 64 == 0 || (sweeps & (sweeps - 1)) == 0; }
+/// Mixing and queue for slow solves, and the direct method where it is the cheaper way.
+class NlgsHelp
+{
+public:
+    NlgsHelp(ContactProblem& problem, const ContactSettings& settings)
+    :
+        isAccelerated_(settings.accelerate),
+        slowSolve_(problem),
+        direct_(problem, settings)
+    {}
+
+    int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule)
+    {
+        const int work = isAccelerated_ ? slowSolve_.afterSweep(sweeps, sums, rule) : 0;
+        if (direct_.isDue(sweeps))
+        {
+            direct_.solve(rule);
+            forget();
+        }
+        return work;
+    }
+
+    void forget() { slowSolve_.forget(); }
+    void complete(SolveReport& report, const StopRule& rule) { direct_.complete(report, rule); }
+
+private:
+    bool isAccelerated_;
+    SlowSolve slowSolve_;
+    DirectHelp direct_;
+};
 
 } // namespace
 
 SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings)
 {
-    SolveReport report;
-    if (!problem.halo.any(!problem.blocks.empty())) return report;
-
-    StopRule rule{};
-    int polishing = 0;
-    SlowSolve slowSolve(problem);
-    DirectHelp direct(problem, settings);
-    while (report.sweeps < settings.maxSweeps)
-    {
-        const DefectSums sums = sweepActive(problem);
-        if (!std::isfinite(sums.sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
-        if (++report.sweeps == 1) rule = makeStopRule(problem, settings, sums);
-        const bool isFineEnough = rule.isPolished(sums) || polishing == settings.polishSweeps;
-        if (rule.isMet(sums) && !isFineEnough) ++polishing;
-        else if (rule.isMet(sums))
-        {
-            direct.checkHeavyBodies(report, rule);
-            reportResidual(report, rule, residual(problem));
-            if (report.converged) return report;
-        }
-        if ((rule.isMet(sums) || isWakingDue(report.sweeps)) && wakeBlocks(problem)) slowSolve.forget();
-        if (settings.accelerate) report.sweeps += slowSolve.afterSweep(report.sweeps, sums, rule);
-        if (direct.isDue(report.sweeps))
-        {
-            direct.solve(report, rule);
-            slowSolve.forget();
-        }
-    }
-    direct.checkHeavyBodies(report, rule);
-    reportResidual(report, rule, residual(problem));
-    return report;
+    if (!problem.halo.any(!problem.blocks.empty())) return SolveReport();
+    NlgsHelp help(problem, settings);
+    return sweepUntilMet(problem, settings, sweepActive, help);
 }
 
 } // namespace nscd

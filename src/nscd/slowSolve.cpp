@@ -19,7 +19,7 @@ constexpr int patience = 10;
 /// A solve whose defect shrinks faster than this a sweep needs no mixing. Mixing overshoots, and where friction makes impulses
 /// indeterminate an overshoot stays as self-stress: small scenes are better off without.
 constexpr double fastContraction = 0.93;
-constexpr int sweepsPerMixing = 3;
+constexpr int sweepsPerMixing = 1;
 /// A mixing after which the sum of squared defects grows by more than this is taken back.
 constexpr double growthAllowed = 4.0;
 /// Sweeps in which mixing must bring the sum of squared defects below this share, else it pauses: high friction can trap it.
@@ -27,8 +27,33 @@ constexpr double leastProgress = 0.9;
 constexpr int probation = 60;
 constexpr int sweepsBetweenQueues = 10;
 constexpr std::size_t sweepsPerQueue = 20;
+/// Solves to this tolerance or a finer one scale layers when they start cold. A coarser one is met before weight has come down through
+/// a deep bed, and sooner without: what is missing follows in the next steps.
+constexpr double fineTolerance = 3e-3;
+/// Layers are scaled this often, until it changes little or for a limited number of times: near the solution it only disturbs.
+constexpr int sweepsPerScaling = 20;
+constexpr double smallScaling = 0.1;
+constexpr int mostScalings = 15;
+
+/// Whether no contact carries an impulse.
+bool isCold(const ContactProblem& problem)
+{
+    const BlockRange active = problem.active();
+    for (std::size_t k = 0; k < active.count; ++k)
+    {
+        const double* r = &problem.blocks[active[k]].r[0][0];
+        if (std::any_of(r, r + 3*blockLanes, [](double x) { return x != 0.0; })) return false;
+    }
+    return true;
+}
 
 } // namespace
+
+SlowSolve::SlowSolve(ContactProblem& problem)
+:
+    problem_(problem),
+    isScalingDone_(problem.halo.isParallel() || !isCold(problem))
+{}
 
 int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule)
 {
@@ -47,8 +72,24 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
         return 0;
     }
     if (isLocal(sweeps, sums, rule)) return solveLocally(sweeps, rule);
-    if (sinceMixing_ >= sweepsPerMixing) mix(sums);
+    if (isScalingDue(sweeps, rule)) scaleLayers(sweeps);
+    else if (sinceMixing_ >= sweepsPerMixing) mix(sums);
     return 0;
+}
+
+bool SlowSolve::isScalingDue(int sweeps, const StopRule& rule) const
+{
+    return !isScalingDone_ && sweeps % sweepsPerScaling == 0 && rule.rmsLimit <= fineTolerance*rule.speedScale;
+}
+
+void SlowSolve::scaleLayers(int sweeps)
+{
+    if (!layers_) layers_ = std::make_unique<LayerScaling>(problem_);
+    isScalingDone_ = layers_->apply() < smallScaling || ++scalings_ == mostScalings;
+    restart();
+    // Scaling trades balance of the whole for balance of each grain: what mixing achieves is measured from here.
+    endOfTerm_ = sweeps + probation;
+    best_ = bestBefore_ = std::numeric_limits<double>::max();
 }
 
 bool SlowSolve::isSlow(const DefectSums& sums)

@@ -6,6 +6,7 @@
 
 #include "andersonAcceleration.hpp"
 #include "contactQueue.hpp"
+#include "layerScaling.hpp"
 
 #include <limits>
 #include <memory>
@@ -19,7 +20,7 @@ namespace nscd
 class SlowSolve
 {
 public:
-    explicit SlowSolve(ContactProblem& problem) : problem_(problem) {}
+    explicit SlowSolve(ContactProblem& problem);
 
     /// Returns the work done beside sweeps, in sweeps.
     int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule);
@@ -37,11 +38,16 @@ private:
     void judgeTerm(int sweeps);
     void mix(const DefectSums& sums);
     void revert();
+    bool isScalingDue(int sweeps, const StopRule& rule) const;
+    void scaleLayers(int sweeps);
 
     ContactProblem& problem_;
+    bool isScalingDone_;
     std::unique_ptr<AndersonAcceleration> anderson_;
     AndersonAcceleration::Impulses start_;      ///< impulses after the last mixing
     std::unique_ptr<ContactQueue> queue_;
+    std::unique_ptr<LayerScaling> layers_;
+    int scalings_ = 0;
     int sinceMixing_ = 0;
     int lastLocal_ = 0;
     bool isMixed_ = false;

@@ -269,7 +269,27 @@ TEST(Ranks, twoRunsAreTheSameToTheBit)
 TEST(Ranks, onlySweepsWorkAcrossThem)
 {
     if (ranks() == 1) GTEST_SKIP() << "one rank";
+    for (const char* solver : {"queue", "APG"})
+    {
+        nscd::ContactSettings settings;
+        settings.solver = solver;
+        EXPECT_THROW(RankedScene(heap(3, 2, 2, radius, 1.0, 0.3), settings, cuts()[0].ownerOf), std::invalid_argument);
+    }
+}
+
+TEST(Ranks, conjugateGradientsWorkAcrossThem)
+{
+    const Scene scene = heap(3, 6, 6, radius, 0.7, 0.3);
     nscd::ContactSettings settings;
-    settings.solver = "queue";
-    EXPECT_THROW(RankedScene(heap(3, 2, 2, radius, 1.0, 0.3), settings, cuts()[0].ownerOf), std::invalid_argument);
+    settings.solver = "NNCG";
+    RankedScene run(scene, settings, cuts(6)[1].ownerOf);
+    int loaded = 0;
+    for (int k = 0; k < 100; ++k)
+    {
+        const nscd::StepReport report = step(run.dynamics(), scene.g, deltaT);
+        EXPECT_TRUE(report.solve.converged) << k;
+        EXPECT_LE(report.solve.residualRms, settings.tolerance*report.solve.speedScale) << k;
+        loaded += report.solve.contacts > 100;
+    }
+    EXPECT_GT(loaded, 10);
 }

@@ -97,7 +97,7 @@ nscd::ContactSettings readContactSettings(const CheckedDict& top, const nscd::Ma
     const CheckedDict given(dict);
     nscd::ContactSettings s;
     s.solver = given.choice("type", solverWords(), s.solver);
-    if (Pstream::parRun() && s.solver != "NLGS") given.reject("type", "works on one rank only", "NLGS");
+    if (Pstream::parRun() && !nscd::findContactSolver(s.solver).worksOnRanks) given.reject("type", "works on one rank only", "NLGS or NNCG");
     if (materials.anyRolling() && s.solver != "NLGS") given.reject("type", "knows no rolling or spinning friction", "NLGS");
     s.tolerance = given.number("tolerance", above(0), dimless, s.tolerance);
     s.displacementTolerance = given.number("displacementTolerance", above(0), dimless, s.displacementTolerance);

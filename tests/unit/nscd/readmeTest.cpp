@@ -28,7 +28,7 @@ TEST(Readme, fiveLinesSettleABox)
     // Without rolling resistance single grains roll, and spin about their contacts' normals, for long.
     std::size_t moving = 0;
     for (std::size_t i = 0; i < settled.size(); ++i) moving += settled.velocity[i].norm() > 1e-4 || settled.omega[i].norm() > 1e-2;
-    EXPECT_LE(moving, 5u);
+    EXPECT_LE(moving, 10u);
     EXPECT_NEAR(dynamics.wallForce()[0].z(), -weight, 1e-3*weight);
     // It fell from a lattice 0.1 m high at a solid fraction of 0.27 to a packing at 0.55 to 0.64 in its middle.
     const double solid = nscd::totalVolume(settled)/(0.1*0.1*top);

@@ -120,8 +120,8 @@ TEST_P(Solvers, stackOfTenToTightTolerance)
 INSTANTIATE_TEST_SUITE_P
 (
     , Solvers,
-    testing::Values(Variant{"NLGS", "portable"}, Variant{"NLGS", "AVX2"}, Variant{"NLGS", "AVX512"}, Variant{"queue", "portable"},
-                    Variant{"direct", "portable"}),
+    testing::Values(Variant{"NLGS", "portable"}, Variant{"NLGS", "AVX2"}, Variant{"NLGS", "AVX512"}, Variant{"NNCG", "auto"},
+                    Variant{"APG", "auto"}, Variant{"queue", "portable"}, Variant{"direct", "portable"}),
     [](const testing::TestParamInfo<Variant>& info) { return info.param.solver + "_" + info.param.vectorPath; }
 );
 
@@ -270,7 +270,7 @@ TEST(Solver, unknownNamesAreRefusedWithThoseThereAre)
     }
     catch (const std::invalid_argument& error)
     {
-        EXPECT_NE(std::strstr(error.what(), "NLGS, queue, direct"), nullptr) << error.what();
+        EXPECT_NE(std::strstr(error.what(), "NLGS, NNCG, APG, queue, direct"), nullptr) << error.what();
     }
     EXPECT_THROW(nscd::chooseKernels("SSE9"), std::invalid_argument);
 }
@@ -278,7 +278,7 @@ TEST(Solver, unknownNamesAreRefusedWithThoseThereAre)
 TEST(Solver, reportsThatItDidNotConverge)
 {
     const Scene scene = heap(3, 4, 8, 0.01, 0.8, 0.5);
-    for (const char* solver : {"NLGS", "queue"})
+    for (const char* solver : {"NLGS", "NNCG", "APG", "queue"})
     {
         nscd::ContactSettings settings;
         settings.solver = solver;
