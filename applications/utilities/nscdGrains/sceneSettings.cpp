@@ -81,6 +81,7 @@ nscd::ContactSettings readContactSettings(const CheckedEntries& top)
     s.overlapTolerance = given.number("overlapTolerance", above(0), s.overlapTolerance);
     s.skin = given.number("skin", atLeast(0), s.skin);
     s.accelerate = given.flag("accelerate", s.accelerate);
+    s.sleep = given.flag("sleep", s.sleep);
     s.vectorPath = given.choice("vectorPath", {"auto", "portable", "AVX2", "AVX512"}, s.vectorPath);
     try
     {

@@ -91,7 +91,7 @@ Words solverWords()
 }
 
 
-nscd::ContactSettings readContactSettings(const CheckedDict& top, const nscd::Materials& materials)
+nscd::ContactSettings readContactSettings(const CheckedDict& top, const nscd::Materials& materials, bool solvesFluid)
 {
     const dictionary dict = top.subOrEmpty("solver");
     const CheckedDict given(dict);
@@ -106,6 +106,8 @@ nscd::ContactSettings readContactSettings(const CheckedDict& top, const nscd::Ma
     s.overlapTolerance = given.number("overlapTolerance", above(0), dimless, s.overlapTolerance);
     s.skin = given.number("skin", atLeast(0), dimless, s.skin);
     s.accelerate = given.flag("accelerate", s.accelerate);
+    s.sleep = given.flag("sleep", !solvesFluid);
+    if (s.sleep && solvesFluid) given.reject("sleep", "is for runs without a fluid, which moves all grains", "off");
     s.vectorPath = given.choice("vectorPath", {"auto", "portable", "AVX2", "AVX512"}, s.vectorPath);
     try
     {
@@ -232,7 +234,7 @@ GrainProperties readGrainProperties(const dictionary& dict)
     properties.walls = readWalls(top, properties);
     readSources(top, properties);
     properties.driven = readDriven(top);
-    properties.contact = readContactSettings(top, properties.materials.table);
+    properties.contact = readContactSettings(top, properties.materials.table, properties.solvesFluid);
     properties.maxLoadImbalance = readMaxLoadImbalance(top, properties.maxLoadImbalance);
     readCoupling(top, properties);
     top.finish();

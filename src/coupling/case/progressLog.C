@@ -67,6 +67,9 @@ void ProgressLog::step(const StepRow& row, const FluidSummary& fluid)
             static_cast<long long>(row.grains), static_cast<long long>(row.contacts), int(row.sweeps),
             row.converged ? "" : " (at the cap)", row.residualRms, row.residualMax, row.overlapMax
         ).c_str() << nl;
+    if (row.newtonSteps > 0) os_ << formatted("  direct method: %d Newton steps", int(row.newtonSteps)).c_str() << nl;
+    if (row.asleep > 0) os_ << formatted("  %lld grains asleep", static_cast<long long>(row.asleep)).c_str() << nl;
+    if (!row.solveWarning.empty() && stepsWarned_++ == 0) os_ << "  Warning: " << row.solveWarning.c_str() << nl;
     if (exitedNow > 0) os_ << formatted("  %lld grains left through exits", static_cast<long long>(exitedNow)).c_str() << nl;
     if (hasFluid_)
     {
@@ -87,6 +90,7 @@ void ProgressLog::finish(const TimingTable& timing) const
     os_ << nl << "Summary" << nl
         << formatted("  worst overlap          %.3g d", worstOverlap_).c_str() << nl
         << formatted("  steps at the cap       %d of %d", int(stepsAtCap_), int(steps_)).c_str() << nl
+        << formatted("  steps with a warning   %d", int(stepsWarned_)).c_str() << nl
         << formatted("  grains left by exits   %lld", static_cast<long long>(exited_)).c_str() << nl;
     if (hasFluid_)
     {

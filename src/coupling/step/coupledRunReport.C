@@ -41,6 +41,9 @@ StepRow CoupledRun::describeStep() const
     row.contacts = static_cast<std::int64_t>(report.solve.contacts);
     row.sweeps = report.solve.sweeps;
     row.converged = report.solve.converged;
+    row.newtonSteps = report.solve.newtonSteps;
+    row.solveWarning = ::nscd::warning(report.solve);
+    row.asleep = static_cast<std::int64_t>(report.asleep);
     row.residualRms = report.solve.residualRms;
     row.residualMax = report.solve.residualMax;
     row.overlapMax = report.overlapMax;

@@ -83,9 +83,13 @@ int main(int argc, char** argv)
     nscd::ContactSettings settings;
     settings.tolerance = std::stod(o.at("tolerance"));
     settings.vectorPath = o.at("vectorPath");
-    auto dynamics = tiles.part(0, tiles.size()).build(settings);
     std::printf("what,grains,contacts,candidates,sweeps,listsBuilt,converged,msPerStep,nsPerGrain,findPairsMs,buildContactsMs,solveContactsMs,"
                 "moveGrainsMs,kineticEnergy\n");
-    for (int k = 0; k < std::stoi(o.at("warmUp")); ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
-    for (int k = 0; k < 4; ++k) measure("rest", dynamics, std::stoi(o.at("steps")));
+    for (const bool sleep : {false, true})
+    {
+        settings.sleep = sleep;
+        auto dynamics = tiles.part(0, tiles.size()).build(settings);
+        for (int k = 0; k < std::stoi(o.at("warmUp")); ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
+        for (int k = 0; k < 3; ++k) measure(sleep ? "may sleep" : "awake", dynamics, std::stoi(o.at("steps")));
+    }
 }

@@ -17,7 +17,9 @@ constexpr double deltaT = 1e-3, radius = 0.01;
 
 void expectRest(const Scene& scene)
 {
-    auto dynamics = scene.build(nscd::ContactSettings());
+    nscd::ContactSettings settings;
+    settings.sleep = false;  // what is asleep shows nothing of the solver
+    auto dynamics = scene.build(settings);
     for (int k = 0; k < 500; ++k) step(dynamics, scene.g, deltaT);
     for (int k = 0; k < 2000; ++k) stepDamped(dynamics, scene.g, deltaT);
     for (int k = 0; k < 200; ++k) step(dynamics, scene.g, deltaT);

@@ -174,7 +174,7 @@ TEST(GoodScene, everyKeywordDoesWhatItSays)
         "walls { left { type plane; point (-1 0 0); normal (1 0 0); } ramp { type polygon; vertices ((2 0 0) (3 1 0)); }\n"
         "        tray { type box; box (-5 -5 0) (5 5 0); sides (xMax yMin); } }\n"
         "solver { type queue; tolerance 1e-3; displacementTolerance 1e-5; maxSweeps 7; deadBand 1e-6; overlapTolerance 1e-3; skin 0.1;"
-        " accelerate off; vectorPath portable; }", "scene"
+        " accelerate off; sleep off; vectorPath portable; }", "scene"
     );
     EXPECT_EQ(scene.gravity, nscd::Vec3(1, -2, 0));
     EXPECT_EQ(scene.run.purgeWrite, 0);
@@ -187,6 +187,7 @@ TEST(GoodScene, everyKeywordDoesWhatItSays)
     EXPECT_EQ(scene.contact.overlapTolerance, 1e-3);
     EXPECT_EQ(scene.contact.skin, 0.1);
     EXPECT_FALSE(scene.contact.accelerate);
+    EXPECT_FALSE(scene.contact.sleep);
     EXPECT_EQ(scene.contact.vectorPath, "portable");
     EXPECT_EQ(scene.materials.table.pair(0, 1).restitution, 0.9);
     EXPECT_EQ(scene.materials.table.pair(1, 1).friction, 0.3);
@@ -246,5 +247,6 @@ TEST(GoodScene, theExampleShowsDefaults)
     EXPECT_EQ(shown.contact.overlapTolerance, bare.contact.overlapTolerance);
     EXPECT_EQ(shown.contact.skin, bare.contact.skin);
     EXPECT_EQ(shown.contact.accelerate, bare.contact.accelerate);
+    EXPECT_EQ(shown.contact.sleep, bare.contact.sleep);
     EXPECT_EQ(shown.contact.vectorPath, bare.contact.vectorPath);
 }

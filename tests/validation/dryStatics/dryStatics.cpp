@@ -44,9 +44,17 @@ double secondsSince(std::chrono::steady_clock::time_point start)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-nscd::ContactSettings settings(double tolerance)
+/// What is asleep shows nothing of the solver.
+nscd::ContactSettings awake()
 {
     nscd::ContactSettings settings;
+    settings.sleep = false;
+    return settings;
+}
+
+nscd::ContactSettings settings(double tolerance)
+{
+    nscd::ContactSettings settings = awake();
     settings.tolerance = settings.displacementTolerance = tolerance;
     settings.maxSweeps = 100000;
     return settings;
@@ -57,7 +65,7 @@ void boxOfDiscs()
 {
     std::printf("A09: 500 polydisperse discs settled, then 2000 steps\n");
     Scene scene = heap(2, 20, 25, radius, 0.6, 0.5);
-    auto settling = scene.build(nscd::ContactSettings());
+    auto settling = scene.build(awake());
     for (int k = 0; k < 2000; ++k) step(settling, scene.g, deltaT);
     for (int k = 0; k < 1000; ++k) stepDamped(settling, scene.g, deltaT);
     scene.grains = settling.grains();
@@ -135,7 +143,7 @@ void hexagonalStack()
 void bedOfSpheres()
 {
     const Scene scene = heap(3, 12, 14, radius, 0.8, 0.4);
-    auto dynamics = scene.build(nscd::ContactSettings());
+    auto dynamics = scene.build(awake());
     int capped = 0;
     double overlapMax = 0.0, overlapMean = 0.0;
     for (int k = 0; k < 2000; ++k)
