@@ -17,8 +17,9 @@ namespace
 
 /// Limits of a polished solution per unit of motion: a step then takes about a decade off the noise.
 constexpr double polishPerMotion = 10.0;
-/// The finest rms defect that polishing asks for, in units of the speed scale: whatever the tolerance. A largest defect is not asked for:
-/// a single grain that rolls on a bed at rest would have the whole bed polished in each step.
+/// The finest limits that polishing asks for: rms defect in units of the speed scale, largest defect times dt in d; whatever the
+/// tolerance. Without the second, beds of 25 000 spheres do not come to rest.
+constexpr double finestDisplacement = 1e-6;
 constexpr double finestRms = 3e-5;
 
 DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& other)
@@ -51,8 +52,9 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
     const double lengthRate = problem.diameter/problem.deltaT;
     const double speed = std::max({problem.speedScale, 1e-3*rms(first), 1e-3*settings.deadBand*lengthRate});
     const double polish = std::min(1.0, polishPerMotion*problem.motion);
-    const double rmsLimit = settings.tolerance*speed, polishedRms = std::max(polish*rmsLimit, finestRms*speed);
-    return {rmsLimit, settings.displacementTolerance*lengthRate, speed, std::min(rmsLimit, polishedRms)};
+    const double rmsLimit = settings.tolerance*speed, maxLimit = settings.displacementTolerance*lengthRate;
+    const auto polished = [polish](double limit, double finest) { return std::min(limit, std::max(finest, polish*limit)); };
+    return {rmsLimit, maxLimit, speed, polished(rmsLimit, finestRms*speed), polished(maxLimit, finestDisplacement*lengthRate)};
 }
 
 BlockRange ContactProblem::inner() const

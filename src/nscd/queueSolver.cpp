@@ -28,7 +28,7 @@ SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings)
         threshold *= 0.5;
     }
     while (!report.converged && visits < maxVisits);
-    const double polished = std::min(threshold, rule.polishedRms);
+    const double polished = std::min({threshold, rule.polishedRms, rule.polishedMax});
     if (report.converged && polished < threshold)
     {
         visits += queue.work(queue.slots(), polished, used*static_cast<std::size_t>(settings.polishSweeps));
