@@ -14,7 +14,7 @@ namespace nscd
 /// Watches one solve by sweeps, on one rank. The direct method takes over
 /// - once the sweeps made have cost as much as it is expected to, so that both together cost at most twice the cheaper one;
 ///   or at the cap, if it costs no more than ten times the sweeps up to there;
-/// - when the stop rule is met and a contact is loaded between bodies whose masses differ by more than 100: the heavy one's
+/// - when the stop rule is met and a contact is loaded between bodies whose masses differ by more than 50: the heavy one's
 ///   velocity is right long before the impulses below it are (their error is its mass times that of its velocity).
 /// Where it is too dear, or there are several ranks, sweeps do what they can, and the report says so.
 class DirectHelp
