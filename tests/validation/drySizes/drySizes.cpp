@@ -4,24 +4,18 @@
 // S6: few large spheres settling among many small ones, size ratios 1:20 and 1:100, against small ones alone: overlap, and the time of
 // the neighbor search a grain and build (printed, not judged).
 #include "../../unit/nscd/scenes.hpp"
+#include "../resources/bars.hpp"
 
 #include <cstdio>
 #include <random>
 
 using namespace scenes;
+using bars::require;
 
 namespace
 {
 
 constexpr double deltaT = 2e-4, small = 5e-4;
-bool isFailed = false;
-
-void require(const char* what, double value, double bar)
-{
-    const bool isMet = value <= bar;
-    isFailed = isFailed || !isMet;
-    std::printf("  %-62s %10.3g  bar %8.2g%s\n", what, value, bar, isMet ? "" : "  FAILED");
-}
 
 /// `few` spheres of radius `large` on the floor of a box, a shaken lattice of `many` of radius `small` around and above them.
 Scene mixture(double large, int few, int many, double width)
@@ -90,5 +84,5 @@ int main()
     settle("1:20, one large", mixture(20*small, 1, 20000, 0.035), 150);
     settle("1:100, one large", mixture(100*small, 1, 20000, 0.12), 150);
     settle("1:20, ten large", mixture(20*small, 10, 20000, 0.088), 150);
-    return isFailed ? 1 : 0;
+    return bars::status();
 }

@@ -4,25 +4,18 @@
 // Tall stacks from cold (A08, S5): base force of the first step and rest after it, at the default solver; with 1000 spheres, a zig-zag wall
 // of 3 x 300 discs and a hexagonal stack of 20 x 200 discs.
 #include "../../unit/nscd/naturalMap.hpp"
+#include "../resources/bars.hpp"
 
 #include <cstdio>
 #include <ctime>
 
 using namespace scenes;
+using bars::require;
 
 namespace
 {
 
 constexpr double deltaT = 1e-3, radius = 0.01;
-bool isFailed = false;
-
-/// Prints a figure with its bar, and remembers a failure.
-void require(const char* what, double value, double bar)
-{
-    const bool isMet = value <= bar;
-    isFailed = isFailed || !isMet;
-    std::printf("  %-62s %10.3g  bar %8.2g%s\n", what, value, bar, isMet ? "" : "  FAILED");
-}
 
 double cpuSeconds() { return static_cast<double>(std::clock())/CLOCKS_PER_SEC; }
 
@@ -144,5 +137,5 @@ int main()
     std::printf("At a tenth of the dead band\n");
     coldThenRest("stack of 1000", stack(1000), settings, 20);
     for (double ratio : {1e2, 1e3, 1e4}) heavyOnStack(ratio, 300);
-    return isFailed ? 1 : 0;
+    return bars::status();
 }

@@ -5,25 +5,18 @@
 // of spheres that lands, comes to rest and stays there at the default settings.
 #include "../../unit/nscd/heaps.hpp"
 #include "../../unit/nscd/naturalMap.hpp"
+#include "../resources/bars.hpp"
 
 #include <chrono>
 #include <cstdio>
 
 using namespace scenes;
+using bars::require;
 
 namespace
 {
 
 constexpr double deltaT = 1e-3, radius = 0.01;
-bool isFailed = false;
-
-/// Prints a figure with its bar, and remembers a failure.
-void require(const char* what, double value, double bar)
-{
-    const bool isMet = value <= bar;
-    isFailed = isFailed || !isMet;
-    std::printf("  %-62s %10.3g  bar %8.2g%s\n", what, value, bar, isMet ? "" : "  FAILED");
-}
 
 Vec3 wallForce(const nscd::GrainDynamics& dynamics)
 {
@@ -191,5 +184,5 @@ int main()
     for (int grains : {100, 1000}) tallStack(grains, 1e-6);
     hexagonalStack();
     bedOfSpheres();
-    return isFailed ? 1 : 0;
+    return bars::status();
 }

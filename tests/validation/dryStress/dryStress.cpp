@@ -4,23 +4,17 @@
 // Stress scenes too long for the unit tests: S4 (heavy on light), S16 (gravity turned over), S22 (dense elastic gas), and what
 // a cap on the sweeps does to them: reported, never silent.
 #include "../../unit/nscd/heaps.hpp"
+#include "../resources/bars.hpp"
 
 #include <cstdio>
 
 using namespace scenes;
+using bars::require;
 
 namespace
 {
 
 constexpr double deltaT = 1e-3, radius = 0.01;
-bool isFailed = false;
-
-void require(const char* what, double value, double bar)
-{
-    const bool isMet = value <= bar;
-    isFailed = isFailed || !isMet;
-    std::printf("  %-66s %10.3g  bar %8.2g%s\n", what, value, bar, isMet ? "" : "  FAILED");
-}
 
 /// S4: a sphere `ratio` times heavier on a stack of light ones; what it says of itself against what is true.
 void heavyOnLight(int light, double ratio, int maxSweeps, int steps)
@@ -124,5 +118,5 @@ int main()
     gravityTurned();
     denseElasticGas(0.0);
     denseElasticGas(0.5);
-    return isFailed ? 1 : 0;
+    return bars::status();
 }
