@@ -19,7 +19,9 @@ constexpr int patience = 10;
 /// A solve whose defect shrinks faster than this a sweep needs no mixing. Mixing overshoots, and where friction makes impulses
 /// indeterminate an overshoot stays as self-stress: small scenes are better off without.
 constexpr double fastContraction = 0.93;
-constexpr int sweepsPerMixing = 1;
+/// Mixing every sweep takes cold solves of 10 000 spheres 159 sweeps instead of 224, at the same time; but a bed near rest then keeps
+/// speeds of 4e-5 g dt instead of less than 1e-5, and its wall forces err by 1e-6 of the weight instead of 1e-7.
+constexpr int sweepsPerMixing = 3;
 /// A mixing after which the sum of squared defects grows by more than this is taken back.
 constexpr double growthAllowed = 4.0;
 /// Sweeps in which mixing must bring the sum of squared defects below this share, else it pauses: high friction can trap it.
@@ -39,12 +41,13 @@ constexpr int mostScalings = 15;
 bool isCold(const ContactProblem& problem)
 {
     const BlockRange active = problem.active();
-    for (std::size_t k = 0; k < active.count; ++k)
+    bool isLoaded = false;
+    for (std::size_t k = 0; k < active.count && !isLoaded; ++k)
     {
         const double* r = &problem.blocks[active[k]].r[0][0];
-        if (std::any_of(r, r + 3*blockLanes, [](double x) { return x != 0.0; })) return false;
+        isLoaded = std::any_of(r, r + 3*blockLanes, [](double x) { return x != 0.0; });
     }
-    return true;
+    return !isLoaded;
 }
 
 } // namespace

@@ -39,7 +39,7 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
             if (report.converged) return report;
         }
         if ((rule.isMet(sums) || isWakingDue(report.sweeps)) && wakeBlocks(problem)) help.forget();
-        if (!rule.isMet(sums)) report.sweeps += help.afterSweep(report.sweeps, sums, rule);
+        report.sweeps += help.afterSweep(report.sweeps, sums, rule);
     }
     help.complete(report, rule);
     reportResidual(report, rule, residual(problem));
