@@ -17,10 +17,8 @@ namespace
 
 /// Limits of a polished solution per unit of motion: a step then takes about a decade off the noise.
 constexpr double polishPerMotion = 10.0;
-/// The finest limits that polishing asks for: rms defect in units of the speed scale, largest defect times dt in d; whatever the
-/// tolerance. Without the second, beds of 25 000 spheres do not come to rest.
-constexpr double finestDisplacement = 1e-6;
-constexpr double finestRms = 3e-5;
+/// What polishing asks for at least, in units of both limits. Without the limit of the largest defect, beds of 25 000 spheres do not come to rest.
+constexpr double finestPolish = 3e-3;
 
 DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& other)
 {
@@ -51,10 +49,9 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
 {
     const double lengthRate = problem.diameter/problem.deltaT;
     const double speed = std::max({problem.speedScale, 1e-3*rms(first), 1e-3*settings.deadBand*lengthRate});
-    const double polish = std::min(1.0, polishPerMotion*problem.motion);
+    const double polish = std::min(1.0, std::max(finestPolish, polishPerMotion*problem.motion));
     const double rmsLimit = settings.tolerance*speed, maxLimit = settings.displacementTolerance*lengthRate;
-    const auto polished = [polish](double limit, double finest) { return std::min(limit, std::max(finest, polish*limit)); };
-    return {rmsLimit, maxLimit, speed, polished(rmsLimit, finestRms*speed), polished(maxLimit, finestDisplacement*lengthRate)};
+    return {rmsLimit, maxLimit, speed, polish*rmsLimit, polish*maxLimit};
 }
 
 BlockRange ContactProblem::inner() const
