@@ -17,7 +17,7 @@ namespace
 
 /// Limits of a polished solution per unit of motion: a step then takes about a decade off the noise.
 constexpr double polishPerMotion = 10.0;
-/// What polishing asks for at least, in units of both limits. Without the limit of the largest defect, beds of 25 000 spheres do not come to rest.
+/// What polishing asks for at most, in units of both limits.
 constexpr double finestPolish = 3e-3;
 
 DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& other)
@@ -38,11 +38,6 @@ DefectSums sweepRange(ContactProblem& problem, BlockRange range)
 
 } // namespace
 
-bool areWithin(const DefectSums& sums, double rmsLimit, double maxLimit)
-{
-    return sums.sumSquares <= rmsLimit*rmsLimit*std::max(1.0, sums.active) && sums.maxSquare <= maxLimit*maxLimit;
-}
-
 double rms(const DefectSums& sums) { return std::sqrt(sums.sumSquares/std::max(1.0, sums.active)); }
 
 StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& settings, const DefectSums& first)
@@ -50,8 +45,7 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
     const double lengthRate = problem.diameter/problem.deltaT;
     const double speed = std::max({problem.speedScale, 1e-3*rms(first), 1e-3*settings.deadBand*lengthRate});
     const double polish = std::min(1.0, std::max(finestPolish, polishPerMotion*problem.motion));
-    const double rmsLimit = settings.tolerance*speed, maxLimit = settings.displacementTolerance*lengthRate;
-    return {rmsLimit, maxLimit, speed, polish*rmsLimit, polish*maxLimit};
+    return {settings.tolerance*speed, settings.displacementTolerance*lengthRate, speed, polish};
 }
 
 BlockRange ContactProblem::inner() const

@@ -10,6 +10,7 @@
 #include "rollingFriction.hpp"
 #include "stepReport.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -53,22 +54,26 @@ DefectSums sweepActive(ContactProblem& problem);
 /// Replaces the impulses of the active blocks (see ReplaceFunction) and moves the velocities along, on all ranks.
 void replaceImpulses(ContactProblem& problem, std::vector<double>& target);
 
-bool areWithin(const DefectSums& sums, double rmsLimit, double maxLimit);
-
 /// Stop rule, absolute (grains.md sections 2 and 9): rms defect <= tolerance vs and largest defect dt <= displacementTolerance d, with
 /// vs = max(speed scale of the forces, 1e-3 rms defect of the first pass, 1e-3 dead band/dt).
 /// What the rule leaves of defects is the noise of a bed at rest: grains keep moving by it, contacts leave the dead band, and the
 /// bed creeps. So a bed that hardly moves is polished: limits shrink with its motion, down to 3e-3 of themselves, for some more sweeps.
 struct StopRule
 {
-    double rmsLimit;       ///< [m/s]
-    double maxLimit;       ///< [m/s]
+    double rmsLimit;     ///< [m/s]
+    double maxLimit;     ///< [m/s]
     double speedScale;
-    double polishedRms;    ///< limits of a polished solution [m/s]
-    double polishedMax;
+    double polish;       ///< share of both limits that a polished solution keeps to
 
-    bool isMet(const DefectSums& sums) const { return areWithin(sums, rmsLimit, maxLimit); }
-    bool isPolished(const DefectSums& sums) const { return areWithin(sums, polishedRms, polishedMax); }
+    bool isMet(const DefectSums& sums) const { return isWithin(sums, 1.0); }
+    bool isPolished(const DefectSums& sums) const { return isWithin(sums, polish); }
+
+private:
+    bool isWithin(const DefectSums& sums, double share) const
+    {
+        const double rms2 = share*share*rmsLimit*rmsLimit, max2 = share*share*maxLimit*maxLimit;
+        return sums.sumSquares <= rms2*std::max(1.0, sums.active) && sums.maxSquare <= max2;
+    }
 };
 
 /// `first` are the defects of the first pass: the approach speeds the solve has to deal with.

@@ -119,9 +119,7 @@ SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& ex
     SolveReport report = solveOnce(external);
     while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()))
     {
-        const int before = report.sweeps;
-        report = solveOnce(external);
-        report.sweeps += before;
+        report = together(report, solveOnce(external));
     }
     return report;
 }
@@ -138,11 +136,8 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
         {
             velocity[list.grainOf[body]] = (attempt + 1.0)*Vec3(list.bodies[body].v);
         }
-        const int before = report.sweeps, newtonBefore = report.newtonSteps;
         rebuildList(velocity);
-        report = solveAndWake(external);
-        report.sweeps += before;
-        report.newtonSteps += newtonBefore;
+        report = together(report, solveAndWake(external));
     }
     return report;
 }
@@ -193,23 +188,27 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
     report.overlapMean = overlap.mean/diameter;
 }
 
-void GrainDynamics::Implementation::wakeDisturbed(const ExternalForces& external)
-{
-    if (!sleep.any()) return;
-    const bool wasEverybodyAsleep = sleep.isEverybodyAsleep();
-    sleep.wakeByForces(grains, external, deltaT);
-    // The list was not looked at when the step began.
-    if (wasEverybodyAsleep && !coversStep()) rebuildList(grains.velocity);
-}
-
 StepReport GrainDynamics::Implementation::restingReport() const
 {
     StepReport report = lastReport;
     report.solve.sweeps = 0;
+    report.solve.newtonSteps = 0;
     report.listRebuilt = false;
     report.correctionSweeps = 0;
     report.maxDisplacement = 0.0;
     return report;
+}
+
+/// What a step needs in which anything is awake.
+void GrainDynamics::Implementation::beginAwakeStep(bool haveWallsJumped)
+{
+    if (isListStale) measureGrains();
+    if (isListStale || !coversStep()) rebuildList(grains.velocity);
+    else if (haveWallsJumped) updateGeometry(list, scene());
+    if (isStepBegun) return;
+    isStepBegun = true;
+    markBonds(list);
+    beforeStep = list.cohesion.empty() ? ImpulseRecord() : collectImpulses(list);
 }
 
 void GrainDynamics::beginStep(double deltaT)
@@ -219,14 +218,7 @@ void GrainDynamics::beginStep(double deltaT)
     const bool haveJumped = self.movingWalls.beginStep(deltaT);
     if (deltaT != self.deltaT || haveJumped || self.movingWalls.isAnyMoving()) self.sleep.wakeAll();
     self.deltaT = deltaT;
-    if (self.sleep.isEverybodyAsleep()) return;
-    if (self.isListStale) self.measureGrains();
-    if (self.isListStale || !self.coversStep()) self.rebuildList(self.grains.velocity);
-    else if (haveJumped) updateGeometry(self.list, self.scene());
-    if (self.isStepBegun) return;
-    self.isStepBegun = true;
-    markBonds(self.list);
-    self.beforeStep = self.list.cohesion.empty() ? ImpulseRecord() : collectImpulses(self.list);
+    if (!self.sleep.isEverybodyAsleep()) self.beginAwakeStep(haveJumped);
 }
 
 bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->list.candidates > 0); }
@@ -234,6 +226,7 @@ bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->lis
 Prediction GrainDynamics::predict(const ExternalForces& external)
 {
     self_->sleep.wakeAll();
+    if (!self_->isStepBegun) self_->beginAwakeStep(false);
     Prediction prediction;
     prediction.solve = self_->solveVelocities(external);
     prediction.velocity.resize(self_->grains.size());
@@ -261,12 +254,13 @@ Prediction GrainDynamics::tryForces(const ExternalForces& external)
 StepReport GrainDynamics::advance(const ExternalForces& external)
 {
     Implementation& self = *self_;
-    self.wakeDisturbed(external);
+    self.sleep.wakeByForces(self.grains, external, self.deltaT);
     if (self.sleep.isEverybodyAsleep())
     {
         self.movingWalls.endStep();
         return self.restingReport();
     }
+    if (!self.isStepBegun) self.beginAwakeStep(false);
     StepReport report;
     const double findPairsBefore = self.times.findPairs;
     report.solve = self.solveVelocities(external);

@@ -67,7 +67,7 @@ struct GrainDynamics::Implementation
     double measureMotion(double speedScale) const;
     SolveReport solveOnce(const ExternalForces& external);
     SolveReport solveAndWake(const ExternalForces& external);
-    void wakeDisturbed(const ExternalForces& external);
+    void beginAwakeStep(bool haveWallsJumped);
     StepReport restingReport() const;
     void rebound(const ExternalForces& external, SolveReport& report);
     void correctPositions(StepReport& report);

@@ -13,6 +13,8 @@ namespace nscd
 namespace
 {
 
+constexpr int noIsland = -1;
+
 Vec3 entry(const std::vector<Vec3>& values, std::size_t i) { return values.empty() ? Vec3(Vec3::Zero()) : values[i]; }
 
 /// Sets of bodies that merge.
@@ -51,14 +53,6 @@ void forEachClosed(const ContactList& list, double deadBand, const Visit& visit)
 }
 
 } // namespace
-
-void IslandSleep::wakeAll()
-{
-    isAsleep_.clear();
-    quietSteps_.clear();
-    asleep_ = 0;
-    isEverybodyAsleep_ = false;
-}
 
 void IslandSleep::wakeIslands(const std::unordered_set<int>& islands)
 {
@@ -123,18 +117,8 @@ void IslandSleep::countQuietSteps(const Grains& grains, double limit)
     }
 }
 
-void IslandSleep::fallAsleep(const ContactList& list, Grains& grains, const ExternalForces& forces, double speedScale, double deadBand)
+std::vector<int> IslandSleep::quietIslands(const ContactList& list, const Grains& grains, double deadBand) const
 {
-    const std::size_t n = grains.size();
-    quietSteps_.resize(n, 0);
-    countQuietSteps(grains, restSpeed*speedScale);
-    if (++steps_ % stepsToSleep != 0) return;
-    if (std::none_of(quietSteps_.begin(), quietSteps_.end(), [](int steps) { return steps >= stepsToSleep; })) return;
-
-    isAsleep_.resize(n, 0);
-    island_.resize(n, -1);
-    force_.resize(n);
-    torque_.resize(n);
     DisjointSets sets(list.owned());
     std::vector<std::uint8_t> isRestless(list.owned(), 0);
     for (int body = 0; body < list.owned(); ++body)
@@ -144,36 +128,58 @@ void IslandSleep::fallAsleep(const ContactList& list, Grains& grains, const Exte
     }
     forEachClosed(list, deadBand, [&](int a, int b)
     {
-        const auto isGrain = [&](int body) { return body < list.owned() && !grains.isFixed[list.grainOf[body]]; };
-        if (isGrain(a) && isGrain(b)) sets.join(a, b);
-        else if (isGrain(a) && isMoving(list, b)) isRestless[a] = 1;
-        else if (isGrain(b) && isMoving(list, a)) isRestless[b] = 1;
+        const auto isFreeGrain = [&](int body) { return body < list.owned() && !grains.isFixed[list.grainOf[body]]; };
+        if (isFreeGrain(a) && isFreeGrain(b)) sets.join(a, b);
+        else if (isFreeGrain(a) && isMoving(list, b)) isRestless[a] = 1;
+        else if (isFreeGrain(b) && isMoving(list, a)) isRestless[b] = 1;
     });
     for (int body = 0; body < list.owned(); ++body)
     {
         if (isRestless[body]) isRestless[sets.find(body)] = 1;
     }
-    const int firstIsland = nextIsland_;
-    nextIsland_ += list.owned();
-    speedScale_ = speedScale;
+    std::vector<int> island(list.owned());
+    for (int body = 0; body < list.owned(); ++body) island[body] = isRestless[sets.find(body)] ? noIsland : sets.find(body);
+    return island;
+}
+
+bool IslandSleep::isEverythingStill(const Grains& grains) const
+{
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const bool isHeldStill = grains.isFixed[i] && grains.velocity[i] == Vec3::Zero() && grains.omega[i] == Vec3::Zero();
+        if (!isAsleep_[i] && !isHeldStill) return false;
+    }
+    return true;
+}
+
+void IslandSleep::fallAsleep(const ContactList& list, Grains& grains, const ExternalForces& forces, double speedScale, double deadBand)
+{
+    const std::size_t n = grains.size();
+    quietSteps_.resize(n, 0);
+    countQuietSteps(grains, restSpeed*speedScale);
+    if (++steps_ % stepsToSleep != 0) return;
+    if (std::none_of(quietSteps_.begin(), quietSteps_.end(), [](int steps) { return steps >= stepsToSleep; })) return;
+
+    isAsleep_.resize(n, 0);
+    island_.resize(n, noIsland);
+    force_.resize(n);
+    torque_.resize(n);
+    const std::vector<int> island = quietIslands(list, grains, deadBand);
     for (int body = 0; body < list.owned(); ++body)
     {
-        const int i = list.grainOf[body], root = sets.find(body);
-        if (isAsleep_[i] || isRestless[root] || grains.isFixed[i]) continue;
+        const int i = list.grainOf[body];
+        if (isAsleep_[i] || island[body] == noIsland) continue;
         isAsleep_[i] = 1;
         ++asleep_;
-        island_[i] = firstIsland + root;
+        island_[i] = firstIsland_ + island[body];
         force_[i] = entry(forces.force, i);
         torque_[i] = entry(forces.torque, i);
         grains.velocity[i].setZero();
         grains.omega[i].setZero();
     }
-    isEverybodyAsleep_ = true;
-    for (std::size_t i = 0; i < n; ++i)
-    {
-        const bool isStill = grains.isFixed[i] && grains.velocity[i] == Vec3::Zero() && grains.omega[i] == Vec3::Zero();
-        isEverybodyAsleep_ = isEverybodyAsleep_ && (isAsleep_[i] || isStill);
-    }
+    firstIsland_ += list.owned();
+    speedScale_ = speedScale;
+    isEverybodyAsleep_ = isEverythingStill(grains);
 }
 
 } // namespace nscd

@@ -30,7 +30,8 @@ public:
     std::size_t count() const { return asleep_; }
     bool isAsleep(int grain) const { return asleep_ > 0 && isAsleep_[grain] != 0; }
 
-    void wakeAll();
+    /// As it was made: a run that goes on and one that starts from here do the same.
+    void wakeAll() { *this = IslandSleep(); }
 
     /// Wakes what the forces of this step disturb.
     void wakeByForces(const Grains& grains, const ExternalForces& forces, double deltaT);
@@ -46,6 +47,9 @@ private:
     void wakeIslands(const std::unordered_set<int>& islands);
     bool isMoving(const ContactList& list, int body) const;
     void countQuietSteps(const Grains& grains, double limit);
+    /// Of each body its island: the body that stands for it, or none if one of its grains is not at rest.
+    std::vector<int> quietIslands(const ContactList& list, const Grains& grains, double deadBand) const;
+    bool isEverythingStill(const Grains& grains) const;
 
     std::vector<std::uint8_t> isAsleep_;   // per grain
     std::vector<int> quietSteps_;
@@ -54,7 +58,7 @@ private:
     std::size_t asleep_ = 0;
     bool isEverybodyAsleep_ = false;
     int steps_ = 0;
-    int nextIsland_ = 0;
+    int firstIsland_ = 0;                  // of those that fall asleep next
     double speedScale_ = 0.0;
 };
 

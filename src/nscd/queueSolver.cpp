@@ -20,6 +20,7 @@ SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings)
     const std::size_t maxVisits = used*static_cast<std::size_t>(settings.maxSweeps);
     std::size_t visits = 0;
     // The local threshold bounds each contact, the stop rule all of them; tighten until the rule is met.
+    const double finest = rule.polish*std::min(rule.rmsLimit, rule.maxLimit);
     double threshold = std::min(rule.rmsLimit, rule.maxLimit);
     do
     {
@@ -28,10 +29,9 @@ SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings)
         threshold *= 0.5;
     }
     while (!report.converged && visits < maxVisits);
-    const double polished = std::min({threshold, rule.polishedRms, rule.polishedMax});
-    if (report.converged && polished < threshold)
+    if (report.converged && finest < threshold)
     {
-        visits += queue.work(queue.slots(), polished, used*static_cast<std::size_t>(settings.polishSweeps));
+        visits += queue.work(queue.slots(), finest, used*static_cast<std::size_t>(settings.polishSweeps));
         reportResidual(report, rule, residual(problem));
     }
     report.sweeps = static_cast<int>((visits + used - 1)/used);

@@ -37,6 +37,15 @@ struct StepReport
     std::size_t asleep = 0;           ///< grains of islands that sleep
 };
 
+/// The report of two solves of the same step, one after the other, as one: what the later one reached, and the work of both.
+inline SolveReport together(const SolveReport& earlier, SolveReport later)
+{
+    later.sweeps += earlier.sweeps;
+    later.newtonSteps += earlier.newtonSteps;
+    later.hiddenMassRatio = std::max(earlier.hiddenMassRatio, later.hiddenMassRatio);
+    return later;
+}
+
 /// What a user should know of a solve beyond its figures; empty: nothing.
 std::string warning(const SolveReport& report);
 
@@ -45,9 +54,7 @@ inline StepReport worstOf(const StepReport& before, const StepReport& next, int 
 {
     if (count == 1) return next;
     StepReport worst = next;
-    worst.solve.sweeps += before.solve.sweeps;
-    worst.solve.newtonSteps += before.solve.newtonSteps;
-    worst.solve.hiddenMassRatio = std::max(before.solve.hiddenMassRatio, next.solve.hiddenMassRatio);
+    worst.solve = together(before.solve, next.solve);
     worst.solve.converged = before.solve.converged && next.solve.converged;
     worst.solve.residualRms = std::max(before.solve.residualRms, next.solve.residualRms);
     worst.solve.residualMax = std::max(before.solve.residualMax, next.solve.residualMax);

@@ -192,10 +192,29 @@ TEST(Sleep, aHeldGrainThatIsDrivenWakes)
     EXPECT_GT(nscd::kineticEnergy(dynamics.grains()), 0.0);
 }
 
+TEST(Sleep, aGrainThatWakesFromASleepOfAllMovesLikeOneThatNeverSlept)
+{
+    nscd::ContactSettings awake;
+    awake.sleep = false;
+    Sleepers sleepers;
+    nscd::GrainDynamics never = twoPyramids().build(awake);
+    run(never, 200);
+    for (nscd::GrainDynamics* dynamics : {&sleepers.dynamics, &never})
+    {
+        nscd::ExternalForces forces = weight(dynamics->grains(), Vec3(0, 0, -gravity), deltaT);
+        forces.force[3] += 20*gravity*dynamics->grains().mass[3]*Vec3(1, 0, 1);
+        for (int k = 0; k < 20; ++k) stepWith(*dynamics, forces);
+    }
+    const Vec3 woken = sleepers.dynamics.grains().position[3], neverSlept = never.grains().position[3];
+    EXPECT_GT(neverSlept[0], radius);
+    EXPECT_LT((woken - neverSlept).norm(), 1e-3*radius);
+}
+
 TEST(Sleep, aStopAndItsContinuationDoTheSameToTheBit)
 {
     Sleepers sleepers;
     nscd::GrainDynamics& dynamics = sleepers.dynamics;
+    run(dynamics, 5);  // so that the stop is at no multiple of anything
     double lastDeltaT = 0.0;
     const std::vector<nscd::StoredImpulse> impulses = dynamics.checkpoint(lastDeltaT);
     Scene again = twoPyramids();
@@ -204,9 +223,10 @@ TEST(Sleep, aStopAndItsContinuationDoTheSameToTheBit)
     later.restore(impulses, lastDeltaT);
     for (int k = 0; k < 100; ++k)
     {
-        run(dynamics, 1);
-        run(later, 1);
+        const std::size_t asleep = run(dynamics, 1).asleep;
+        ASSERT_EQ(asleep, run(later, 1).asleep) << k;
         ASSERT_EQ(dynamics.grains().position, later.grains().position) << k;
         ASSERT_EQ(dynamics.grains().velocity, later.grains().velocity) << k;
     }
+    EXPECT_EQ(run(dynamics, 1).asleep, 8u);
 }
