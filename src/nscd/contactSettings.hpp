@@ -21,7 +21,7 @@ struct ContactSettings
     /// Sweeps after which a solve gives up, counted and reported.
     int maxSweeps = 1000;
     /// Sweeps a step may add, once its tolerance is met, to come nearer to rest where the grains hardly move; 0: none.
-    int polishSweeps = 10;
+    int polishSweeps = 30;
     /// Gaps within +-deadBand d count as closed, so that the set of active contacts keeps still.
     double deadBand = 1e-4;
     /// Overlap in d above which grains are pushed apart without gaining velocity.

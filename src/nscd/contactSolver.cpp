@@ -18,7 +18,7 @@ namespace
 /// Limits of a polished solution per unit of motion: a step then takes about a decade off the noise.
 constexpr double polishPerMotion = 10.0;
 /// What polishing asks for at most, in units of both limits.
-constexpr double finestPolish = 3e-3;
+constexpr double finestPolish = 1e-3;
 
 DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& other)
 {

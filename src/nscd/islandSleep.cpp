@@ -73,7 +73,7 @@ void IslandSleep::wakeByForces(const Grains& grains, const ExternalForces& force
     for (std::size_t i = 0; i < isAsleep_.size(); ++i)
     {
         if (!isAsleep_[i]) continue;
-        const double limit = restSpeed*speedScale_*grains.mass[i]/deltaT;
+        const double limit = disturbance*speedScale_*grains.mass[i]/deltaT;
         const double change2 = (entry(forces.force, i) - force_[i]).squaredNorm();
         const double spin2 = (entry(forces.torque, i) - torque_[i]).squaredNorm()/(grains.radius[i]*grains.radius[i]);
         if (!(change2 <= limit*limit && spin2 <= limit*limit)) disturbed.insert(island_[i]);

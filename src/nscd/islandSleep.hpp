@@ -15,13 +15,16 @@ namespace nscd
 
 /// An island is a set of grains that touch, directly or through one another; walls and held grains join nothing. It falls asleep when
 /// all its grains were slower than `restSpeed` vs for `stepsToSleep` steps: velocities become zero, impulses stay. It wakes in the
-/// step in which the force or torque on one of its grains differs by more than restSpeed m vs/dt from what it fell asleep with, or
+/// step in which the force or torque on one of its grains differs by more than `disturbance` m vs/dt from what it fell asleep with, or
 /// something awake touches it. A sleeping grain has no mobility, so that nothing of it is solved.
 class IslandSleep
 {
 public:
-    /// In units of a step's speed scale: far below the noise that the tolerance of a solve leaves.
-    static constexpr double restSpeed = 1e-4;
+    /// In units of a step's speed scale vs: what grains of a polished bed at rest keep at most of the noise of the solves, a few times
+    /// over. A grain whose acceleration is less than a thirtieth of it, 3e-5 g, is taken for one at rest.
+    static constexpr double restSpeed = 1e-3;
+    /// The same for forces: by so much the contact forces of a sleeping island may be out of date.
+    static constexpr double disturbance = 1e-4;
     static constexpr int stepsToSleep = 32;
 
     bool any() const { return asleep_ > 0; }
