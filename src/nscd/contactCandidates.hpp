@@ -19,12 +19,12 @@ struct Candidates
     std::vector<Candidate> interface;
 };
 
-/// `held` and the list's position, radius, reach are those of own bodies and of ghosts; walls have `b` = -1.
+/// The list's position, radius and `reach` are those of own bodies and of ghosts; walls have `b` = -1. The list's search is used.
 /// Cost: linear in the number of bodies for any size distribution (one grid per octave of radius + reach).
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 Candidates findCandidates
 (
-    const ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
+    ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
     const WallSearch& wallSearch
 );
 

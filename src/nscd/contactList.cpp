@@ -15,6 +15,32 @@ namespace nscd
 namespace
 {
 
+/// Empties a list and keeps its large arrays' memory: new pages cost more than what is written to them.
+ContactList emptied(ContactList old)
+{
+    ContactList list;
+    const auto keep = [](auto& to, auto& from)
+    {
+        to.swap(from);
+        to.clear();
+    };
+    keep(list.grainOf, old.grainOf);
+    keep(list.positionAtBuild, old.positionAtBuild);
+    keep(list.reach, old.reach);
+    keep(list.position, old.position);
+    keep(list.radius, old.radius);
+    keep(list.inverseMass, old.inverseMass);
+    keep(list.id, old.id);
+    keep(list.bodies, old.bodies);
+    keep(list.blocks, old.blocks);
+    keep(list.gap, old.gap);
+    keep(list.wall, old.wall);
+    keep(list.image, old.image);
+    keep(list.awake, old.awake);
+    std::swap(list.search, old.search);
+    return list;
+}
+
 void reserveBodies(ContactList& list, std::size_t number)
 {
     list.position.reserve(number);
@@ -106,26 +132,42 @@ void joinHalo(ContactList& list, std::vector<Candidate>& interface, Exchange& ex
     }
 }
 
-int materialOf(const ContactList& list, const Scene& scene, int body)
+/// Of own bodies, ghosts and copies.
+std::vector<int> materialOfBodies(const ContactList& list, const Scene& scene)
 {
-    const int grain = list.grain(body);
-    return grain < list.owned() ? scene.grains.material[grain] : list.ghosts[grain - list.owned()].material;
+    std::vector<int> material(list.position.size());
+    for (int body = 0; body < list.firstWallBody(); ++body)
+    {
+        const int grain = list.grain(body);
+        material[body] = grain < list.owned() ? scene.grains.material[grain] : list.ghosts[grain - list.owned()].material;
+    }
+    return material;
 }
 
-const ContactPair& coefficients(const ContactList& list, const Scene& scene, const Candidate& candidate)
+const ContactPair& coefficients(const std::vector<int>& material, const Scene& scene, const Candidate& candidate)
 {
     const int materialB = candidate.wall >= 0
         ? scene.walls.patches[scene.walls.regions[candidate.wall].patch].material
-        : materialOf(list, scene, candidate.b);
-    return scene.materials.pair(materialOf(list, scene, candidate.a), materialB);
+        : material[candidate.b];
+    return scene.materials.pair(material[candidate.a], materialB);
+}
+
+/// Room for a number of elements in an empty array, and some more if it grows: numbers of candidates go up and down. What is there goes first.
+template<class Element>
+void makeRoom(std::vector<Element>& array, std::size_t number)
+{
+    if (array.capacity() >= number) return;
+    const std::size_t more = array.capacity() > 0 ? number/32 : 0;
+    array = std::vector<Element>();
+    array.reserve(number + more);
 }
 
 void reserveBlocks(ContactList& list, const Scene& scene, std::size_t blocks)
 {
-    list.blocks.reserve(blocks);
-    list.gap.reserve(blocks*blockLanes);
-    list.wall.reserve(blocks*blockLanes);
-    list.image.reserve(blocks*blockLanes);
+    makeRoom(list.blocks, blocks);
+    makeRoom(list.gap, blocks*blockLanes);
+    makeRoom(list.wall, blocks*blockLanes);
+    makeRoom(list.image, blocks*blockLanes);
     if (scene.materials.anyRestitution()) list.restitution.reserve(blocks*blockLanes);
     if (scene.materials.anyRolling()) list.rolling.reserve(blocks*blockLanes);
     if (scene.materials.anyCohesion()) list.cohesion.reserve(blocks*blockLanes);
@@ -151,7 +193,10 @@ void setOptionalLaws(ContactList& list, std::size_t slot, const Candidate& candi
 }
 
 /// Appends blocks for `batches`, and writes the candidates into their slots; slotOf is shifted to where they are.
-void appendBlocks(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, Batches& batches)
+void appendBlocks
+(
+    ContactList& list, const Scene& scene, const std::vector<int>& material, const std::vector<Candidate>& candidates, Batches& batches
+)
 {
     const std::size_t before = list.slots(), slots = before + batches.blocks*blockLanes;
     ContactBlock empty{};
@@ -169,11 +214,11 @@ void appendBlocks(ContactList& list, const Scene& scene, const std::vector<Candi
     for (std::size_t k = 0; k < candidates.size(); ++k)
     {
         const Candidate& candidate = candidates[k];
-        const std::size_t slot = batches.slotOf[k] += before;
+        const std::size_t slot = batches.slotOf[k] += static_cast<std::uint32_t>(before);
         ContactBlock& block = list.blocks[slot/blockLanes];
         block.a[slot % blockLanes] = candidate.a;
         block.b[slot % blockLanes] = candidate.b;
-        const ContactPair& pair = coefficients(list, scene, candidate);
+        const ContactPair& pair = coefficients(material, scene, candidate);
         block.friction[slot % blockLanes] = pair.friction;
         setOptionalLaws(list, slot, candidate, pair);
         list.wall[slot] = candidate.wall;
@@ -228,39 +273,13 @@ void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Can
 
 } // namespace
 
-Vec3 impulse(const ContactList& list, std::size_t slot)
-{
-    const ContactBlock& block = list.blocks[slot/blockLanes];
-    const std::size_t lane = slot % blockLanes;
-    return Vec3(block.r[0][lane], block.r[1][lane], block.r[2][lane]);
-}
-
-void setImpulse(ContactList& list, std::size_t slot, const Vec3& r)
-{
-    ContactBlock& block = list.blocks[slot/blockLanes];
-    for (int k = 0; k < 3; ++k) block.r[k][slot % blockLanes] = r[k];
-}
-
-Vec3 normal(const ContactList& list, std::size_t slot)
-{
-    const ContactBlock& block = list.blocks[slot/blockLanes];
-    const std::size_t lane = slot % blockLanes;
-    return Vec3(block.n[0][lane], block.n[1][lane], block.n[2][lane]);
-}
-
-int ContactList::grain(int body) const
-{
-    if (body < owned()) return grainOf[body];
-    return body < halo.firstCopy() ? body : grainOf[halo.copied()[body - halo.firstCopy()]];
-}
-
 ContactList buildContactList
 (
     const Scene& scene, const WallSearch& wallSearch, const std::vector<double>& reach, std::vector<WallReach> wallReach,
-    double diameter, Exchange& exchange
+    double diameter, Exchange& exchange, ContactList old
 )
 {
-    ContactList list;
+    ContactList list = emptied(std::move(old));
     list.wallReach = std::move(wallReach);
     list.hasRolling = scene.materials.anyRolling();
     sortBodies(list, scene.grains, reach, diameter);
@@ -281,11 +300,12 @@ ContactList buildContactList
     Batches inner = batchNearAndFar(list, scene, candidates.inner, diameter);
     Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
     reserveBlocks(list, scene, inner.blocks + interface.blocks);
-    appendBlocks(list, scene, candidates.inner, inner);
+    const std::vector<int> material = materialOfBodies(list, scene);
+    appendBlocks(list, scene, material, candidates.inner, inner);
     groupWallSlots(list, scene, candidates.inner, inner);
     findMovingSlots(list, candidates.inner, inner);
     list.interfaceBlock = list.blocks.size();
-    appendBlocks(list, scene, candidates.interface, interface);
+    appendBlocks(list, scene, material, candidates.interface, interface);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (list.wall[slot] >= 0) list.slotsOfWalls.push_back(static_cast<std::uint32_t>(slot));

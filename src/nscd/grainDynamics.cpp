@@ -77,9 +77,9 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     {
         reach[i] = range + 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
     }
-    list = ContactList();  // two at a time would be the peak of the memory
     makeWallSearch();
-    list = buildContactList(scene(), *wallSearch, reach, movingWalls.reach(*wallSearch, grains, reach, diameter), diameter, *exchange);
+    std::vector<WallReach> wallReach = movingWalls.reach(*wallSearch, grains, reach, diameter);
+    list = buildContactList(scene(), *wallSearch, reach, std::move(wallReach), diameter, *exchange, std::move(list));
     updateGeometry(list, scene());
     assignImpulses(list, std::move(impulses), *exchange);
     markBonds(list);
