@@ -68,6 +68,32 @@ Candidates findCandidates
     return found;
 }
 
+void takeIsolated(const ContactList& list, Candidates& candidates)
+{
+    std::vector<unsigned char> number(list.firstWallBody(), 0);  // of candidates, up to two
+    const auto count = [&](int body)
+    {
+        if (body >= 0) number[body] += number[body] < 2 && list.inverseMass[body] > 0.0;
+    };
+    for (const Candidate& c : candidates.inner)
+    {
+        count(c.a);
+        count(c.b);
+    }
+    for (const Candidate& c : candidates.interface) number[list.ownBody(c.a)] = 2;
+    for (int body : list.halo.shared()) number[body] = 2;
+
+    const auto isCoupled = [&](const Candidate& c) { return number[c.a] > 1 || (c.b >= 0 && number[c.b] > 1); };
+    std::vector<Candidate>& inner = candidates.inner;
+    std::size_t kept = 0;
+    for (const Candidate c : inner)
+    {
+        if (isCoupled(c)) inner[kept++] = c;
+        else candidates.isolated.push_back(c);
+    }
+    inner.resize(kept);
+}
+
 Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter)
 {
     const double near = nearShare*diameter;

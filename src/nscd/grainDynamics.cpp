@@ -6,6 +6,8 @@
 
 #include "andersonAcceleration.hpp"
 #include "invalidValue.hpp"
+#include "isolatedPairs.hpp"
+#include "sweepKernels.hpp"
 #include "stopwatch.hpp"
 
 #include <algorithm>
@@ -105,13 +107,16 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
             movingWalls.setVelocities(list, grains.shape.emptyAxis);
         }
         while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()));
-        prepareSlots(list, kernels, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
+        const int axis = grains.shape.emptyAxis;
+        const bool isPlanar = isFrictional && grains.shape.dimensions == 2 && axis >= 0 && isInPlane(list, axis);
+        kernelsOfStep = isPlanar ? planar(kernels, axis) : kernels;
+        prepareSlots(list, kernelsOfStep, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
         impulseDeltaT = deltaT;
     }
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
-    return solve(problem, settings);
+    return solveBesideIsolated(problem, list.isolatedBlocks, settings, solve);
 }
 
 SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
@@ -163,7 +168,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
-    const SolveReport shock = solve(problem, shockSettings);
+    const SolveReport shock = solveBesideIsolated(problem, list.isolatedBlocks, shockSettings, solve);
     report.sweeps += shock.sweeps;
     report.newtonSteps += shock.newtonSteps;
     report.converged = report.converged && shock.converged;

@@ -25,6 +25,7 @@ struct GrainDynamics::Implementation
 
     ContactSolver solve;
     SweepKernels kernels;
+    SweepKernels kernelsOfStep;   // of those for discs, where nothing leaves the plane
     bool isFrictional;
     double diameter = 1.0;
     double massRatio = 1.0;       // of the grains that move, heaviest to lightest
@@ -49,7 +50,7 @@ struct GrainDynamics::Implementation
     {
         return
         {
-            list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter,
+            list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernelsOfStep, isFrictional, deltaT, speedScale, diameter,
             list.position, 1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio
         };
     }

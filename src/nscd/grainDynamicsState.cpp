@@ -39,6 +39,7 @@ GrainDynamics::GrainDynamics
     }
     // Whatever acts on spins.
     self_->isFrictional = self_->materials.anyFriction() || self_->materials.anyRolling();
+    if (!self_->isFrictional) self_->kernels = normalOnly(self_->kernels);
     self_->measureGrains();
     self_->clearForces();
 }
