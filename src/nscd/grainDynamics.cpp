@@ -7,7 +7,6 @@
 #include "andersonAcceleration.hpp"
 #include "invalidValue.hpp"
 #include "isolatedPairs.hpp"
-#include "sweepKernels.hpp"
 #include "stopwatch.hpp"
 
 #include <algorithm>
@@ -21,8 +20,6 @@ namespace nscd
 namespace
 {
 
-/// Steps of unchanged motion a rebuilt list should last.
-constexpr double stepsPerList = 2.0;
 constexpr int maxListRebuilds = 6;
 
 } // namespace
@@ -86,6 +83,8 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     assignImpulses(list, std::move(impulses), *exchange);
     markBonds(list);
     isListStale = false;
+    isListNew = true;
+    fitStepsPerList();
 }
 
 double GrainDynamics::Implementation::measureMotion(double speedScale) const
@@ -107,9 +106,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
             movingWalls.setVelocities(list, grains.shape.emptyAxis);
         }
         while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()));
-        const int axis = grains.shape.emptyAxis;
-        const bool isPlanar = isFrictional && grains.shape.dimensions == 2 && axis >= 0 && isInPlane(list, axis);
-        kernelsOfStep = isPlanar ? planar(kernels, axis) : kernels;
+        chooseKernelsOfStep();
         prepareSlots(list, kernelsOfStep, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
         impulseDeltaT = deltaT;
     }
@@ -273,9 +270,9 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
         return self.restingReport();
     }
     StepReport report;
-    const double findPairsBefore = self.times.findPairs;
     report.solve = self.solveVelocities(external);
-    report.listRebuilt = self.times.findPairs > findPairsBefore;
+    report.listRebuilt = self.isListNew;
+    self.isListNew = false;
     report.candidates = static_cast<std::size_t>(self.list.halo.sum(static_cast<double>(self.list.candidates)));
 
     const Stopwatch watch(self.times.moveGrains);

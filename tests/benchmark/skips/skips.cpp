@@ -128,7 +128,7 @@ void cloud(int perSide)
 /// Contacts of a dilute gas: those that are isolated once, or all by sweeps.
 void pairs(int perSide)
 {
-    const Scene scene = gas(perSide, 0.05, 2.0);
+    const Scene scene = gas(perSide, 0.1, 0.25);
     const nscd::Scene parts{scene.grains, scene.materials, scene.walls, scene.box};
     const nscd::SweepKernels kernels = nscd::chooseKernels("auto");
     const nscd::ContactSettings settings;
@@ -141,7 +141,7 @@ void pairs(int perSide)
         for (int attempt = 0; attempt < 5; ++attempt)
         {
             nscd::Exchange alone;
-            const std::vector<double> reach(scene.grains.size(), 3.5*deltaT);
+            const std::vector<double> reach(scene.grains.size(), 0.5*settings.skin*2*radius + 0.25*deltaT);
             nscd::ContactList list = nscd::buildContactList(parts, nscd::WallSearch(scene.walls, 4*radius), reach, {}, 2*radius, alone);
             nscd::updateGeometry(list, parts);
             nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, Vec3::Zero(), deltaT), deltaT, nscd::IslandSleep());
