@@ -7,6 +7,7 @@
 #include "wallSearch.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace nscd
 {
@@ -71,27 +72,23 @@ Candidates findCandidates
 void takeIsolated(const ContactList& list, Candidates& candidates)
 {
     std::vector<unsigned char> number(list.firstWallBody(), 0);  // of candidates, up to two
-    const auto count = [&](int body)
-    {
-        if (body >= 0) number[body] += number[body] < 2 && list.inverseMass[body] > 0.0;
-    };
     for (const Candidate& c : candidates.inner)
     {
-        count(c.a);
-        count(c.b);
+        number[c.a] += number[c.a] < 2;
+        if (c.b >= 0) number[c.b] += number[c.b] < 2;
     }
     for (const Candidate& c : candidates.interface) number[list.ownBody(c.a)] = 2;
     for (int body : list.halo.shared()) number[body] = 2;
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        if (list.inverseMass[body] == 0.0) number[body] = 0;
+    }
 
     const auto isCoupled = [&](const Candidate& c) { return number[c.a] > 1 || (c.b >= 0 && number[c.b] > 1); };
     std::vector<Candidate>& inner = candidates.inner;
-    std::size_t kept = 0;
-    for (const Candidate c : inner)
-    {
-        if (isCoupled(c)) inner[kept++] = c;
-        else candidates.isolated.push_back(c);
-    }
-    inner.resize(kept);
+    if (std::all_of(inner.begin(), inner.end(), isCoupled)) return;
+    std::copy_if(inner.begin(), inner.end(), std::back_inserter(candidates.isolated), [&](const Candidate& c) { return !isCoupled(c); });
+    inner.erase(std::remove_if(inner.begin(), inner.end(), [&](const Candidate& c) { return !isCoupled(c); }), inner.end());
 }
 
 Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter)
