@@ -21,30 +21,25 @@ class OpenBlocks
 public:
     explicit OpenBlocks(int bodies)
     :
-        mask_(bodies, 0),
-        window_(bodies, -1)
+        bodies_(bodies, {0, -1})
     {}
 
-    std::uint64_t of(int body, int window) const { return window_[body] == window ? mask_[body] : 0; }
+    std::uint64_t of(int body, int window) const { return bodies_[body].window == window ? bodies_[body].blocks : 0; }
 
-    void add(int body, int window, int block)
-    {
-        if (window_[body] != window)
-        {
-            window_[body] = window;
-            mask_[body] = 0;
-        }
-        mask_[body] |= std::uint64_t(1) << block;
-    }
+    void add(int body, int window, int block) { bodies_[body] = {of(body, window) | std::uint64_t(1) << block, window}; }
 
 private:
-    std::vector<std::uint64_t> mask_;
-    std::vector<int> window_;
+    struct InWindow
+    {
+        std::uint64_t blocks;
+        int window;
+    };
+    std::vector<InWindow> bodies_;
 };
 
 } // namespace
 
-Batches batchContacts(const std::vector<Candidate>& candidates, int staticBody)
+Batches batchContacts(const std::vector<Candidate>& candidates, const std::vector<std::uint32_t>& order, int staticBody)
 {
     Batches batches;
     batches.slotOf.resize(candidates.size());
@@ -60,12 +55,12 @@ Batches batchContacts(const std::vector<Candidate>& candidates, int staticBody)
         std::size_t k = begin;
         for (; k < end; ++k)
         {
-            const Candidate& c = candidates[k];
+            const Candidate& c = candidates[order[k]];
             const std::uint64_t blocked = full | open.of(c.a, window) | (c.b == staticBody ? 0 : open.of(c.b, window));
             // A body with more than 64 candidates in a window ends the window early.
             if (~blocked == 0) break;
             const int block = __builtin_ctzll(~blocked);
-            batches.slotOf[k] = (batches.blocks + block)*blockLanes + filled[block];
+            batches.slotOf[order[k]] = static_cast<std::uint32_t>((batches.blocks + block)*blockLanes + filled[block]);
             if (++filled[block] == blockLanes) full |= std::uint64_t(1) << block;
             used = std::max(used, block + 1);
             open.add(c.a, window, block);

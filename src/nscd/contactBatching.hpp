@@ -7,6 +7,7 @@
 #include "contactBlock.hpp"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace nscd
@@ -24,11 +25,12 @@ struct Candidate
 struct Batches
 {
     std::size_t blocks = 0;
-    std::vector<std::size_t> slotOf;   ///< slot of each candidate
+    std::vector<std::uint32_t> slotOf;   ///< slot of each candidate
 };
 
-/// Greedy within windows of 256 candidates, so that the spatial order, and with it convergence and cache use, stays.
+/// Greedy within windows of 512 candidates, so that the spatial order, and with it convergence and cache use, stays. `order`: the
+/// candidates in the order they are packed.
 /// Ensures: no body but the static one appears twice in a block; every candidate has one slot
-Batches batchContacts(const std::vector<Candidate>& candidates, int staticBody);
+Batches batchContacts(const std::vector<Candidate>& candidates, const std::vector<std::uint32_t>& order, int staticBody);
 
 } // namespace nscd

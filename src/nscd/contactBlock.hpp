@@ -111,9 +111,13 @@ struct SweepKernels
     SweepFunction evaluate;
     SweepFunction evaluateFrictionless;
     ReplaceFunction replaceImpulses;
+    ReplaceFunction replaceFrictionless;
     DifferenceFunction addDifferences;
     LawFunction setLaws;
     StartFunction startWarm;
+    StartFunction startWarmFrictionless;
+    SweepFunction sweepDiscs[3];      ///< by the axis that nothing moves along
+    SweepFunction evaluateDiscs[3];
 };
 
 } // namespace nscd

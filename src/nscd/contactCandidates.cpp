@@ -4,11 +4,10 @@
 // Pairs, walls, and who solves what lies between two ranks.
 #include "contactCandidates.hpp"
 
-#include "pairSearch.hpp"
 #include "wallSearch.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <iterator>
 
 namespace nscd
 {
@@ -44,7 +43,7 @@ std::vector<Candidate> findWalls(const ContactList& list, const std::vector<doub
 
 Candidates findCandidates
 (
-    const ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
+    ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
     const WallSearch& wallSearch
 )
 {
@@ -52,7 +51,7 @@ Candidates findCandidates
     for (std::size_t body = 0; body < size.size(); ++body) size[body] = list.radius[body] + reach[body];
     const double largest = size.empty() ? 0.0 : *std::max_element(list.radius.begin(), list.radius.end());
 
-    const std::vector<BodyPair> pairs = findPairs(list.position, size, scene.box, largest);
+    const std::vector<BodyPair>& pairs = list.search.find(list.position, size, scene.box, largest);
     const std::vector<Candidate> walls = findWalls(list, reach, wallSearch);
 
     Candidates found;
@@ -70,26 +69,50 @@ Candidates findCandidates
     return found;
 }
 
+void takeIsolated(const ContactList& list, Candidates& candidates)
+{
+    std::vector<unsigned char> number(list.firstWallBody(), 0);  // of candidates, up to two
+    for (const Candidate& c : candidates.inner)
+    {
+        number[c.a] += number[c.a] < 2;
+        if (c.b >= 0) number[c.b] += number[c.b] < 2;
+    }
+    for (const Candidate& c : candidates.interface) number[list.ownBody(c.a)] = 2;
+    for (int body : list.halo.shared()) number[body] = 2;
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        if (list.inverseMass[body] == 0.0) number[body] = 0;
+    }
+
+    const auto isCoupled = [&](const Candidate& c) { return number[c.a] > 1 || (c.b >= 0 && number[c.b] > 1); };
+    std::vector<Candidate>& inner = candidates.inner;
+    if (std::all_of(inner.begin(), inner.end(), isCoupled)) return;
+    std::copy_if(inner.begin(), inner.end(), std::back_inserter(candidates.isolated), [&](const Candidate& c) { return !isCoupled(c); });
+    inner.erase(std::remove_if(inner.begin(), inner.end(), [&](const Candidate& c) { return !isCoupled(c); }), inner.end());
+}
+
 Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter)
 {
     const double near = nearShare*diameter;
-    std::vector<std::size_t> order(candidates.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_partition(order.begin(), order.end(), [&](std::size_t k)
+    const auto isNear = [&](const Candidate& c)
     {
-        const Candidate& c = candidates[k];
         if (c.wall >= 0) return nearestPoint(scene.walls, c.wall, list.position[c.a]).distance < list.radius[c.a] + near;
         Vec3 dx = list.position[c.a] - list.position[c.b];
         for (int axis = 0; axis < 3; ++axis) dx[axis] -= c.image[axis]*scene.box.length[axis];
-        return dx.norm() < list.radius[c.a] + list.radius[c.b] + near;
-    });
-    std::vector<Candidate> sorted;
-    sorted.reserve(candidates.size());
-    for (std::size_t k : order) sorted.push_back(candidates[k]);
-    const Batches batches = batchContacts(sorted, list.staticBody());
-    Batches result{batches.blocks, std::vector<std::size_t>(candidates.size())};
-    for (std::size_t k = 0; k < order.size(); ++k) result.slotOf[order[k]] = batches.slotOf[k];
-    return result;
+        const double reach = list.radius[c.a] + list.radius[c.b] + near;
+        return dx.squaredNorm() < reach*reach;
+    };
+    std::vector<std::uint32_t> order(candidates.size()), far(candidates.size());
+    std::size_t numberNear = 0, numberFar = 0;
+    for (std::uint32_t k = 0; k < candidates.size(); ++k)
+    {
+        const bool isThisNear = isNear(candidates[k]);
+        order[numberNear] = far[numberFar] = k;
+        numberNear += isThisNear;
+        numberFar += !isThisNear;
+    }
+    std::copy_n(far.begin(), numberFar, order.begin() + static_cast<std::ptrdiff_t>(numberNear));
+    return batchContacts(candidates, order, list.staticBody());
 }
 
 } // namespace nscd

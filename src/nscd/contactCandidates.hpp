@@ -15,18 +15,22 @@ namespace nscd
 /// Candidates among own bodies and between these and walls, ordered by body; and those with ghosts that this rank solves.
 struct Candidates
 {
+    std::vector<Candidate> isolated;   ///< see takeIsolated
     std::vector<Candidate> inner;
     std::vector<Candidate> interface;
 };
 
-/// `held` and the list's position, radius, reach are those of own bodies and of ghosts; walls have `b` = -1.
+/// The list's position, radius and `reach` are those of own bodies and of ghosts; walls have `b` = -1. The list's search is used.
 /// Cost: linear in the number of bodies for any size distribution (one grid per octave of radius + reach).
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 Candidates findCandidates
 (
-    const ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
+    ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
     const WallSearch& wallSearch
 );
+
+/// Moves the candidates none of whose grains has another one, on any rank, from `inner` to `isolated`. Held grains join nothing.
+void takeIsolated(const ContactList& list, Candidates& candidates);
 
 /// Packs candidates into blocks, near ones into blocks of their own, so that blocks of far ones can be left out of sweeps.
 Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter);

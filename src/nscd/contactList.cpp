@@ -5,6 +5,7 @@
 #include "contactList.hpp"
 
 #include "contactCandidates.hpp"
+#include "listBlocks.hpp"
 #include "mortonOrder.hpp"
 
 #include <algorithm>
@@ -14,6 +15,32 @@ namespace nscd
 
 namespace
 {
+
+/// Empties a list and keeps its large arrays' memory: new pages cost more than what is written to them.
+ContactList emptied(ContactList old)
+{
+    ContactList list;
+    const auto keep = [](auto& to, auto& from)
+    {
+        to.swap(from);
+        to.clear();
+    };
+    keep(list.grainOf, old.grainOf);
+    keep(list.positionAtBuild, old.positionAtBuild);
+    keep(list.reach, old.reach);
+    keep(list.position, old.position);
+    keep(list.radius, old.radius);
+    keep(list.inverseMass, old.inverseMass);
+    keep(list.id, old.id);
+    keep(list.bodies, old.bodies);
+    keep(list.blocks, old.blocks);
+    keep(list.gap, old.gap);
+    keep(list.wall, old.wall);
+    keep(list.image, old.image);
+    keep(list.awake, old.awake);
+    std::swap(list.search, old.search);
+    return list;
+}
 
 void reserveBodies(ContactList& list, std::size_t number)
 {
@@ -106,91 +133,18 @@ void joinHalo(ContactList& list, std::vector<Candidate>& interface, Exchange& ex
     }
 }
 
-int materialOf(const ContactList& list, const Scene& scene, int body)
-{
-    const int grain = list.grain(body);
-    return grain < list.owned() ? scene.grains.material[grain] : list.ghosts[grain - list.owned()].material;
-}
-
-const ContactPair& coefficients(const ContactList& list, const Scene& scene, const Candidate& candidate)
-{
-    const int materialB = candidate.wall >= 0
-        ? scene.walls.patches[scene.walls.regions[candidate.wall].patch].material
-        : materialOf(list, scene, candidate.b);
-    return scene.materials.pair(materialOf(list, scene, candidate.a), materialB);
-}
-
-void reserveBlocks(ContactList& list, const Scene& scene, std::size_t blocks)
-{
-    list.blocks.reserve(blocks);
-    list.gap.reserve(blocks*blockLanes);
-    list.wall.reserve(blocks*blockLanes);
-    list.image.reserve(blocks*blockLanes);
-    if (scene.materials.anyRestitution()) list.restitution.reserve(blocks*blockLanes);
-    if (scene.materials.anyRolling()) list.rolling.reserve(blocks*blockLanes);
-    if (scene.materials.anyCohesion()) list.cohesion.reserve(blocks*blockLanes);
-}
-
-RollingSlot rollingSlot(const ContactList& list, const Candidate& candidate, const ContactPair& pair)
-{
-    RollingSlot slot;
-    slot.rolling = pair.rollingFriction;
-    slot.spinning = pair.spinningFriction;
-    const double radiusA = list.radius[candidate.a];
-    slot.shareB = candidate.wall >= 0 ? 0.0 : radiusA/(radiusA + list.radius[candidate.b]);
-    slot.shareA = 1.0 - slot.shareB;
-    return slot;
-}
-
-/// What a pair has beyond friction.
-void setOptionalLaws(ContactList& list, std::size_t slot, const Candidate& candidate, const ContactPair& pair)
-{
-    if (!list.restitution.empty()) list.restitution[slot] = pair.restitution;
-    if (!list.rolling.empty()) list.rolling[slot] = rollingSlot(list, candidate, pair);
-    if (!list.cohesion.empty()) list.cohesion[slot] = {pair.cohesion, pair.cohesionRange, {0.0, 0.0, 0.0}, false};
-}
-
-/// Appends blocks for `batches`, and writes the candidates into their slots; slotOf is shifted to where they are.
-void appendBlocks(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, Batches& batches)
-{
-    const std::size_t before = list.slots(), slots = before + batches.blocks*blockLanes;
-    ContactBlock empty{};
-    std::fill(empty.a, empty.a + blockLanes, list.staticBody());
-    std::fill(empty.b, empty.b + blockLanes, list.staticBody());
-    list.blocks.resize(list.blocks.size() + batches.blocks, empty);
-    list.gap.resize(slots, 0.0);
-    list.wall.resize(slots, -1);
-    list.image.resize(slots, {0, 0, 0});
-    if (scene.materials.anyRestitution()) list.restitution.resize(slots, 0.0);
-    if (scene.materials.anyRolling()) list.rolling.resize(slots);
-    if (scene.materials.anyCohesion()) list.cohesion.resize(slots);
-    list.candidates += candidates.size();
-
-    for (std::size_t k = 0; k < candidates.size(); ++k)
-    {
-        const Candidate& candidate = candidates[k];
-        const std::size_t slot = batches.slotOf[k] += before;
-        ContactBlock& block = list.blocks[slot/blockLanes];
-        block.a[slot % blockLanes] = candidate.a;
-        block.b[slot % blockLanes] = candidate.b;
-        const ContactPair& pair = coefficients(list, scene, candidate);
-        block.friction[slot % blockLanes] = pair.friction;
-        setOptionalLaws(list, slot, candidate, pair);
-        list.wall[slot] = candidate.wall;
-        list.image[slot] = candidate.image;
-    }
-}
-
 /// Makes all bodies, and names those that candidates with walls meet.
-void addWallBodies(ContactList& list, const Scene& scene, std::vector<Candidate>& candidates)
+void addWallBodies(ContactList& list, const Scene& scene, Candidates& candidates)
 {
     int next = list.firstWallBody();
-    for (Candidate& c : candidates)
+    for (std::vector<Candidate>* part : {&candidates.isolated, &candidates.inner})
+    for (Candidate& c : *part)
     {
         if (c.wall >= 0 && scene.walls.patches[scene.walls.regions[c.wall].patch].hasVelocity()) c.b = next++;
     }
     list.bodies.assign(next + 1, Body{});
-    for (Candidate& c : candidates)
+    for (std::vector<Candidate>* part : {&candidates.isolated, &candidates.inner})
+    for (Candidate& c : *part)
     {
         if (c.b < 0) c.b = list.staticBody();
     }
@@ -228,39 +182,13 @@ void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Can
 
 } // namespace
 
-Vec3 impulse(const ContactList& list, std::size_t slot)
-{
-    const ContactBlock& block = list.blocks[slot/blockLanes];
-    const std::size_t lane = slot % blockLanes;
-    return Vec3(block.r[0][lane], block.r[1][lane], block.r[2][lane]);
-}
-
-void setImpulse(ContactList& list, std::size_t slot, const Vec3& r)
-{
-    ContactBlock& block = list.blocks[slot/blockLanes];
-    for (int k = 0; k < 3; ++k) block.r[k][slot % blockLanes] = r[k];
-}
-
-Vec3 normal(const ContactList& list, std::size_t slot)
-{
-    const ContactBlock& block = list.blocks[slot/blockLanes];
-    const std::size_t lane = slot % blockLanes;
-    return Vec3(block.n[0][lane], block.n[1][lane], block.n[2][lane]);
-}
-
-int ContactList::grain(int body) const
-{
-    if (body < owned()) return grainOf[body];
-    return body < halo.firstCopy() ? body : grainOf[halo.copied()[body - halo.firstCopy()]];
-}
-
 ContactList buildContactList
 (
     const Scene& scene, const WallSearch& wallSearch, const std::vector<double>& reach, std::vector<WallReach> wallReach,
-    double diameter, Exchange& exchange
+    double diameter, Exchange& exchange, ContactList old
 )
 {
-    ContactList list;
+    ContactList list = emptied(std::move(old));
     list.wallReach = std::move(wallReach);
     list.hasRolling = scene.materials.anyRolling();
     sortBodies(list, scene.grains, reach, diameter);
@@ -276,16 +204,22 @@ ContactList buildContactList
         addGhosts(list, list.ghosts);
         joinHalo(list, candidates.interface, exchange);
     }
-    addWallBodies(list, scene, candidates.inner);
+    if (!list.hasRolling) takeIsolated(list, candidates);
+    addWallBodies(list, scene, candidates);
 
+    Batches isolated = batchNearAndFar(list, scene, candidates.isolated, diameter);
     Batches inner = batchNearAndFar(list, scene, candidates.inner, diameter);
     Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
-    reserveBlocks(list, scene, inner.blocks + interface.blocks);
-    appendBlocks(list, scene, candidates.inner, inner);
+    reserveBlocks(list, scene, isolated.blocks + inner.blocks + interface.blocks);
+    const std::vector<int> material = materialOfBodies(list, scene);
+    appendBlocks(list, scene, material, candidates.isolated, isolated);
+    findMovingSlots(list, candidates.isolated, isolated);
+    list.isolatedBlocks = list.blocks.size();
+    appendBlocks(list, scene, material, candidates.inner, inner);
     groupWallSlots(list, scene, candidates.inner, inner);
     findMovingSlots(list, candidates.inner, inner);
     list.interfaceBlock = list.blocks.size();
-    appendBlocks(list, scene, candidates.interface, interface);
+    appendBlocks(list, scene, material, candidates.interface, interface);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (list.wall[slot] >= 0) list.slotsOfWalls.push_back(static_cast<std::uint32_t>(slot));

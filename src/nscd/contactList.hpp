@@ -9,6 +9,7 @@
 #include "grains.hpp"
 #include "halo.hpp"
 #include "materials.hpp"
+#include "pairSearch.hpp"
 #include "periodicBox.hpp"
 #include "rollingFriction.hpp"
 #include "wallSearch.hpp"
@@ -49,6 +50,7 @@ struct ContactList
 
     // Per slot.
     std::vector<ContactBlock> blocks;
+    std::size_t isolatedBlocks = 0;         ///< the first ones: contacts none of whose grains has another one (isolatedPairs.hpp)
     std::size_t interfaceBlock = 0;         ///< from this block on contacts join grains of two ranks
     std::vector<double> gap;                ///< [m]
     std::vector<int> wall;                  ///< wall region, or -1 for a pair of grains
@@ -66,6 +68,7 @@ struct ContactList
     std::vector<std::size_t> movingSlots;   ///< slot of each body at a wall that moves
     std::vector<WallReach> wallReach;       ///< per patch; empty if none moves
     std::vector<int> wallSlotStart;         ///< group k is wallSlots[wallSlotStart[k] .. wallSlotStart[k+1])
+    PairSearch search;                      ///< its memory serves list after list
 
     int owned() const { return static_cast<int>(grainOf.size()); }
     int firstWallBody() const { return static_cast<int>(position.size()); }
@@ -74,13 +77,31 @@ struct ContactList
     bool isUsed(std::size_t slot) const { return blocks[slot/blockLanes].a[slot % blockLanes] != staticBody(); }
 
     /// Index of a body's grain; of ghost g: the number of own grains + g.
-    int grain(int body) const;
+    int grain(int body) const { return body < owned() ? grainOf[body] : body < halo.firstCopy() ? body : grainOf[ownBody(body)]; }
+    /// The body itself, of a copy the own one.
+    int ownBody(int body) const { return body < owned() || body < halo.firstCopy() ? body : halo.copied()[body - halo.firstCopy()]; }
 };
 
 /// Impulse of the slot, on A, without attraction [N s].
-Vec3 impulse(const ContactList& list, std::size_t slot);
-void setImpulse(ContactList& list, std::size_t slot, const Vec3& r);
-Vec3 normal(const ContactList& list, std::size_t slot);
+inline Vec3 impulse(const ContactList& list, std::size_t slot)
+{
+    const ContactBlock& block = list.blocks[slot/blockLanes];
+    const std::size_t lane = slot % blockLanes;
+    return Vec3(block.r[0][lane], block.r[1][lane], block.r[2][lane]);
+}
+
+inline void setImpulse(ContactList& list, std::size_t slot, const Vec3& r)
+{
+    ContactBlock& block = list.blocks[slot/blockLanes];
+    for (int k = 0; k < 3; ++k) block.r[k][slot % blockLanes] = r[k];
+}
+
+inline Vec3 normal(const ContactList& list, std::size_t slot)
+{
+    const ContactBlock& block = list.blocks[slot/blockLanes];
+    const std::size_t lane = slot % blockLanes;
+    return Vec3(block.n[0][lane], block.n[1][lane], block.n[2][lane]);
+}
 
 /// What the search needs to know of the scene.
 struct Scene
@@ -92,12 +113,12 @@ struct Scene
 };
 
 /// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].
-/// A reach is how far a grain may travel before the list is stale, and the range of cohesion.
+/// A reach is how far a grain may travel before the list is stale, and the range of cohesion. `old`: a list whose memory is used again.
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 ContactList buildContactList
 (
     const Scene& scene, const WallSearch& wallSearch, const std::vector<double>& reach, std::vector<WallReach> wallReach,
-    double diameter, Exchange& exchange
+    double diameter, Exchange& exchange, ContactList old = ContactList()
 );
 
 /// Recomputes normals and gaps at the present positions.

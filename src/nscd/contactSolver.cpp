@@ -28,15 +28,15 @@ DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& 
     return {sums[0], max, sums[1]};
 }
 
-DefectSums sweepRange(ContactProblem& problem, BlockRange range)
+} // namespace
+
+DefectSums sweepBlocks(ContactProblem& problem, BlockRange range)
 {
     const SweepFunction sweep = problem.isFrictional ? problem.kernels.sweep : problem.kernels.sweepFrictionless;
     const DefectSums contacts = sweep(problem.bodies.data(), problem.blocks.data(), range);
     if (!problem.rolling) return contacts;
     return together(contacts, sweepRolling(problem.bodies.data(), problem.blocks.data(), *problem.rolling, range));
 }
-
-} // namespace
 
 double rms(const DefectSums& sums) { return std::sqrt(sums.sumSquares/std::max(1.0, sums.active)); }
 
@@ -62,10 +62,10 @@ BlockRange ContactProblem::interface() const
 
 DefectSums sweepActive(ContactProblem& problem)
 {
-    const DefectSums inner = sweepRange(problem, problem.inner());
+    const DefectSums inner = sweepBlocks(problem, problem.inner());
     if (!problem.halo.isParallel()) return inner;
     problem.halo.giveVelocities(problem.bodies);
-    const DefectSums between = sweepRange(problem, problem.interface());
+    const DefectSums between = sweepBlocks(problem, problem.interface());
     problem.halo.takeVelocities(problem.bodies);
     return overRanks(problem.halo, inner, between);
 }
@@ -85,7 +85,8 @@ DefectSums residual(ContactProblem& problem)
 {
     const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
     problem.halo.giveVelocities(problem.bodies);
-    DefectSums here = evaluate(problem.bodies.data(), problem.blocks.data(), problem.all());
+    ContactBlock* const blocks = problem.blocks.data() + problem.firstBlock;
+    DefectSums here = evaluate(problem.bodies.data(), blocks, {nullptr, problem.blocks.size() - problem.firstBlock});
     if (problem.rolling)
     {
         here = together(here, evaluateRolling(problem.bodies.data(), problem.blocks.data(), *problem.rolling, problem.all()));
@@ -99,7 +100,7 @@ bool wakeBlocks(ContactProblem& problem)
     std::vector<std::uint32_t> awake;
     std::size_t next = 0;
     problem.halo.giveVelocities(problem.bodies);
-    for (std::uint32_t k = 0; k < problem.blocks.size(); ++k)
+    for (std::uint32_t k = problem.firstBlock; k < problem.blocks.size(); ++k)
     {
         const bool isAwake = next < before && problem.awake[next] == k;
         if (isAwake) ++next;

@@ -40,6 +40,8 @@ struct ContactProblem
     RollingSlots* rolling = nullptr;
     /// Of all bodies that move, heaviest to lightest.
     double massRatio = 1.0;
+    /// Blocks before this one are none of a solver's business: isolatedPairs.hpp.
+    std::size_t firstBlock = 0;
 
     BlockRange all() const { return {nullptr, blocks.size()}; }
     BlockRange active() const { return {awake.data(), awake.size()}; }
@@ -47,6 +49,9 @@ struct ContactProblem
     BlockRange inner() const;
     BlockRange interface() const;
 };
+
+/// One pass over blocks that changes impulses and velocities in place, on this rank alone.
+DefectSums sweepBlocks(ContactProblem& problem, BlockRange range);
 
 /// Sweeps over the inner active blocks of all ranks side by side, then over those between ranks. Returns sums over all ranks.
 DefectSums sweepActive(ContactProblem& problem);

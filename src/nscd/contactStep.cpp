@@ -62,6 +62,14 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
     list.halo.giveBodies(list.bodies);
 }
 
+bool isInPlane(const ContactList& list, int axis)
+{
+    const int p = (axis + 1) % 3, q = (axis + 2) % 3;
+    const auto moves = [=](const Body& body) { return body.v[axis] != 0.0 || body.s[p] != 0.0 || body.s[q] != 0.0; };
+    const auto isElsewhere = [&](const Vec3& x) { return x[axis] != list.position.front()[axis]; };
+    return std::none_of(list.bodies.begin(), list.bodies.end(), moves) && std::none_of(list.position.begin(), list.position.end(), isElsewhere);
+}
+
 void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT, double deadBand, double impulseScale)
 {
     const LawOfStep law{deltaT, deadBand, unreachable};

@@ -17,6 +17,9 @@ namespace nscd
 /// Errors:  std::invalid_argument for a force that is not finite, naming the grain
 void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const IslandSleep& sleep);
 
+/// Whether, to the bit, no body moves along an axis or turns about another one, and all lie in one plane, on this rank.
+bool isInPlane(const ContactList& list, int axis);
+
 /// Sets W, bias and warm start of every slot, and adds the warm-start impulses to the bodies, which hold free velocities before.
 /// A block sleeps if none of its contacts carries an impulse, is closed, or closes in the free motion.
 /// Bias: (g - e)/dt where g > e, zero where |g| <= e or the gap is smaller (overlap is not corrected through velocity).

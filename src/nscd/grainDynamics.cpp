@@ -6,6 +6,7 @@
 
 #include "andersonAcceleration.hpp"
 #include "invalidValue.hpp"
+#include "isolatedPairs.hpp"
 #include "stopwatch.hpp"
 
 #include <algorithm>
@@ -19,8 +20,6 @@ namespace nscd
 namespace
 {
 
-/// Steps of unchanged motion a rebuilt list should last.
-constexpr double stepsPerList = 2.0;
 constexpr int maxListRebuilds = 6;
 
 } // namespace
@@ -77,13 +76,15 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     {
         reach[i] = range + 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
     }
-    list = ContactList();  // two at a time would be the peak of the memory
     makeWallSearch();
-    list = buildContactList(scene(), *wallSearch, reach, movingWalls.reach(*wallSearch, grains, reach, diameter), diameter, *exchange);
+    std::vector<WallReach> wallReach = movingWalls.reach(*wallSearch, grains, reach, diameter);
+    list = buildContactList(scene(), *wallSearch, reach, std::move(wallReach), diameter, *exchange, std::move(list));
     updateGeometry(list, scene());
     assignImpulses(list, std::move(impulses), *exchange);
     markBonds(list);
     isListStale = false;
+    isListNew = true;
+    fitStepsPerList();
 }
 
 double GrainDynamics::Implementation::measureMotion(double speedScale) const
@@ -105,13 +106,14 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
             movingWalls.setVelocities(list, grains.shape.emptyAxis);
         }
         while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()));
-        prepareSlots(list, kernels, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
+        chooseKernelsOfStep();
+        prepareSlots(list, kernelsOfStep, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
         impulseDeltaT = deltaT;
     }
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
-    return solve(problem, settings);
+    return solveBesideIsolated(problem, list.isolatedBlocks, settings, solve);
 }
 
 SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
@@ -158,7 +160,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
-    const SolveReport shock = solve(problem, shockSettings);
+    const SolveReport shock = solveBesideIsolated(problem, list.isolatedBlocks, shockSettings, solve);
     report.sweeps += shock.sweeps;
     report.newtonSteps += shock.newtonSteps;
     report.converged = report.converged && shock.converged;
@@ -262,9 +264,9 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     }
     if (!self.isStepBegun) self.beginAwakeStep(false);
     StepReport report;
-    const double findPairsBefore = self.times.findPairs;
     report.solve = self.solveVelocities(external);
-    report.listRebuilt = self.times.findPairs > findPairsBefore;
+    report.listRebuilt = self.isListNew;
+    self.isListNew = false;
     report.candidates = static_cast<std::size_t>(self.list.halo.sum(static_cast<double>(self.list.candidates)));
 
     const Stopwatch watch(self.times.moveGrains);

@@ -14,6 +14,9 @@
 namespace nscd
 {
 
+/// Steps of unchanged motion a list should last at least.
+constexpr double fewestStepsPerList = 2.0;
+
 struct GrainDynamics::Implementation
 {
     Grains grains;
@@ -25,6 +28,7 @@ struct GrainDynamics::Implementation
 
     ContactSolver solve;
     SweepKernels kernels;
+    SweepKernels kernelsOfStep;   // of those for discs, where nothing leaves the plane
     bool isFrictional;
     double diameter = 1.0;
     double massRatio = 1.0;       // of the grains that move, heaviest to lightest
@@ -34,6 +38,8 @@ struct GrainDynamics::Implementation
 
     ContactList list;
     bool isListStale = true;
+    bool isListNew = false;       // built since the last step
+    double stepsPerList = fewestStepsPerList;
     double deltaT = 0.0;          // of the step begun
     double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
     ImpulseRecord restored;
@@ -49,7 +55,7 @@ struct GrainDynamics::Implementation
     {
         return
         {
-            list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter,
+            list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernelsOfStep, isFrictional, deltaT, speedScale, diameter,
             list.position, 1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio
         };
     }
@@ -63,6 +69,8 @@ struct GrainDynamics::Implementation
     bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list)); }
     void clearForces();
     void rebuildList(const std::vector<Vec3>& velocity);
+    void fitStepsPerList();
+    void chooseKernelsOfStep();
     SolveReport solveVelocities(const ExternalForces& external);
     double measureMotion(double speedScale) const;
     SolveReport solveOnce(const ExternalForces& external);

@@ -7,8 +7,35 @@
 #include "invalidValue.hpp"
 #include "sweepKernels.hpp"
 
+#include <algorithm>
+
 namespace nscd
 {
+
+namespace
+{
+
+/// Candidates a grain below which a list is so short that it had better last longer, and above which it had better be shorter.
+constexpr double fewCandidates = 0.5, manyCandidates = 2.0;
+constexpr double mostStepsPerList = 64.0;
+
+} // namespace
+
+/// In a dilute cloud candidates cost little, and searches much; in a bed it is the other way round.
+void GrainDynamics::Implementation::fitStepsPerList()
+{
+    double sums[2] = {static_cast<double>(list.candidates), static_cast<double>(grains.size())};
+    exchange->sum(sums, 2);
+    if (sums[0] < fewCandidates*sums[1]) stepsPerList = std::min(2.0*stepsPerList, mostStepsPerList);
+    else if (sums[0] > manyCandidates*sums[1]) stepsPerList = std::max(0.5*stepsPerList, fewestStepsPerList);
+}
+
+void GrainDynamics::Implementation::chooseKernelsOfStep()
+{
+    const int axis = grains.shape.emptyAxis;
+    const bool isPlanar = isFrictional && grains.shape.dimensions == 2 && axis >= 0 && isInPlane(list, axis);
+    kernelsOfStep = isPlanar ? planar(kernels, axis) : kernels;
+}
 
 GrainDynamics::GrainDynamics
 (
@@ -39,6 +66,7 @@ GrainDynamics::GrainDynamics
     }
     // Whatever acts on spins.
     self_->isFrictional = self_->materials.anyFriction() || self_->materials.anyRolling();
+    if (!self_->isFrictional) self_->kernels = normalOnly(self_->kernels);
     self_->measureGrains();
     self_->clearForces();
 }
@@ -126,6 +154,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     self.sleep.wakeAll();
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
+    self.stepsPerList = fewestStepsPerList;
     self.isListStale = true;
     self.isStepBegun = false;
     return byIdentity(self.restored, self.grains);
@@ -138,6 +167,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.impulseDeltaT = lastDeltaT;
     self.sleep.wakeAll();
     self.list = ContactList();
+    self.stepsPerList = fewestStepsPerList;
     self.isListStale = true;
     self.isStepBegun = false;
 }

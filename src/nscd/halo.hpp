@@ -32,6 +32,8 @@ public:
 
     /// Own bodies that have copies, in the order of these.
     const std::vector<int>& copied() const { return copied_; }
+    /// Own bodies that other ranks have as ghosts.
+    const std::vector<int>& shared() const { return shared_; }
     /// n of each ghost and copy.
     double parts(int body) const { return parts_[body - ownBodies_]; }
 

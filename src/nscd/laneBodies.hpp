@@ -41,7 +41,7 @@ inline void applyImpulses
 }
 
 /// Makes impulses admissible: cuts attraction off and scales the tangential part into the friction disc.
-template<class V>
+template<class V, bool isFrictional>
 inline void admitImpulses
 (
     typename V::Real nx, typename V::Real ny, typename V::Real nz, typename V::Real friction,
@@ -51,6 +51,13 @@ inline void admitImpulses
     using Real = typename V::Real;
     const Real qn = px*nx + py*ny + pz*nz;
     const Real pn = V::max(V::zero(), qn);
+    if (!isFrictional)
+    {
+        px = pn*nx;
+        py = pn*ny;
+        pz = pn*nz;
+        return;
+    }
     const Real tx = px - qn*nx, ty = py - qn*ny, tz = pz - qn*nz;
     const Real limit = friction*pn;
     const Real t2 = tx*tx + ty*ty + tz*tz;

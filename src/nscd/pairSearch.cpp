@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Grids by octave of size, filled by counting sort.
+// Half stencil within a grid, spheres row by row in finer grids, distances of eight members at once.
 #include "pairSearch.hpp"
 
 #include "invalidValue.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace nscd
@@ -17,244 +16,208 @@ namespace nscd
 namespace
 {
 
-using Cell = std::array<int, 3>;
 using Image = std::array<signed char, 3>;
+using Cell = CellGrid::Cell;
 
-/// One uniform grid and the bodies in it, cell by cell.
-struct Grid
+/// Two numbers: a register of every x86-64, and of most other processors.
+typedef double Two __attribute__((vector_size(2*sizeof(double))));
+
+Two two(double a) { return Two{a, a}; }
+
+Two load(const double* p)
 {
-    Vec3 lower;
-    Vec3 cellSize;
-    Cell count;
-    std::vector<int> cellStart;
-    std::vector<int> members;
-    std::vector<Vec3> memberPosition;
-    std::vector<double> memberSize;
+    Two a;
+    __builtin_memcpy(&a, p, sizeof a);
+    return a;
+}
 
-    Cell cellOf(const Vec3& x) const
+/// Bit k: whether number k is negative.
+unsigned signs(Two a)
+{
+#if defined(__SSE2__)
+    return static_cast<unsigned>(__builtin_ia32_movmskpd(a));
+#else
+    return (a[0] < 0.0 ? 1u : 0u) + (a[1] < 0.0 ? 2u : 0u);
+#endif
+}
+
+constexpr int chunk = CellGrid::padding;   // members tested at once
+constexpr int chunksAtOnce = 8;            // their bits fill a word
+
+double square(double a) { return a*a; }
+
+/// Looks one body after the other up in a grid. Which members are near is hard to foretell, so tests do not branch: bits are collected.
+class Look
+{
+public:
+    Look(const CellGrid& grid, const PeriodicBox& box, std::vector<BodyPair>& pairs)
+    :
+        grid_(grid),
+        box_(box),
+        pairs_(pairs)
+    {}
+
+    /// Pairs of a member with the rest of its cell, the next one along x, and half of the rows around: so each is met once.
+    void around(int member)
     {
-        Cell cell;
-        for (int k = 0; k < 3; ++k)
+        start(grid_.body[member], grid_.x[0][member], grid_.x[1][member], grid_.x[2][member], grid_.size[member]);
+        const Cell cell = grid_.cellOf(x_[0], x_[1], x_[2]);
+        const int own = grid_.row(cell[1], cell[2]) + cell[0];
+        const bool isInside = isInner(cell, 0) && isInner(cell, 1) && isInner(cell, 2);
+        if (isInside)
         {
-            const double index = std::floor((x[k] - lower[k])/cellSize[k]);
-            cell[k] = static_cast<int>(std::min<double>(count[k] - 1, std::max(0.0, index)));
+            const int nx = grid_.count[0], layer = nx*grid_.count[1];
+            const int* cells = &grid_.cellStart[own];
+            const Image none{0, 0, 0};
+            test(member + 1, cells[2], none);
+            test(cells[nx - 1], cells[nx + 2], none);
+            for (int dy = -nx; dy <= nx; dy += nx) test(cells[layer + dy - 1], cells[layer + dy + 2], none);
         }
-        return cell;
+        else
+        {
+            test(member + 1, grid_.cellStart[own + 1], {0, 0, 0});
+            row(cell[0] + 1, cell[0] + 1, cell[1], cell[2]);
+            row(cell[0] - 1, cell[0] + 1, cell[1] + 1, cell[2]);
+            for (int dy = -1; dy <= 1; ++dy) row(cell[0] - 1, cell[0] + 1, cell[1] + dy, cell[2] + 1);
+        }
+        flush();
     }
 
-    int linear(const Cell& c) const { return (c[2]*count[1] + c[1])*count[0] + c[0]; }
+    /// Pairs of a larger body of another grid with the members that its sphere may touch.
+    void within(int body, double px, double py, double pz, double size)
+    {
+        start(body, px, py, pz, size);
+        const double reach = (size_ + grid_.maxSize)*(1.0 + 1e-9);
+        const std::array<int, 2> z = cellRange(2, reach);
+        for (int k = z[0]; k <= z[1]; ++k)
+        {
+            const double left2 = std::max(0.0, reach*reach - square(distanceToCell(2, k)));
+            const std::array<int, 2> y = cellRange(1, std::sqrt(left2));
+            for (int j = y[0]; j <= y[1]; ++j)
+            {
+                const std::array<int, 2> x = cellRange(0, std::sqrt(std::max(0.0, left2 - square(distanceToCell(1, j)))));
+                row(x[0], x[1], j, k);
+            }
+        }
+        flush();
+    }
+
+private:
+    void start(int body, double px, double py, double pz, double size)
+    {
+        body_ = body;
+        x_[0] = px;
+        x_[1] = py;
+        x_[2] = pz;
+        size_ = size;
+    }
+
+    bool isInner(const Cell& cell, int axis) const { return cell[axis] > 0 && cell[axis] < grid_.count[axis] - 1; }
+
+    /// Cells along an axis within a distance; of a periodic one those of the nearest images too, as if the grid went on.
+    std::array<int, 2> cellRange(int axis, double distance) const
+    {
+        const int count = grid_.count[axis], first = box_.isPeriodic(axis) ? -count : 0;
+        const int last = box_.isPeriodic(axis) ? 2*count - 1 : count - 1;
+        const auto index = [&](double x) { return std::floor((x - grid_.lower[axis])*grid_.inverseSize[axis]); };
+        // Rounding may have put members of the cells at the ends a little beyond.
+        const double low = std::max<double>(first, index(x_[axis] - distance - 1e-9*grid_.cellSize[axis]));
+        const double high = std::min<double>(last, index(x_[axis] + distance + 1e-9*grid_.cellSize[axis]));
+        return low > high ? std::array<int, 2>{0, -1} : std::array<int, 2>{static_cast<int>(low), static_cast<int>(high)};
+    }
+
+    double distanceToCell(int axis, int cell) const
+    {
+        const double low = grid_.lower[axis] + cell*grid_.cellSize[axis];
+        return std::max({0.0, low - x_[axis], x_[axis] - low - grid_.cellSize[axis]});
+    }
+
+    /// Wraps an index into the grid. Returns whether there is such a cell.
+    bool wrap(int axis, int& cell, signed char& image) const
+    {
+        image = 0;
+        if (cell >= 0 && cell < grid_.count[axis]) return true;
+        if (!box_.isPeriodic(axis)) return false;
+        image = cell < 0 ? -1 : 1;
+        cell -= image*grid_.count[axis];
+        return true;
+    }
+
+    /// Tests cells first .. last of a row; what is beyond the grid lies in its images.
+    void row(int first, int last, int y, int z)
+    {
+        Image image;
+        if (!wrap(1, y, image[1]) || !wrap(2, z, image[2])) return;
+        const int begin = grid_.row(y, z), count = grid_.count[0];
+        const auto cells = [&](int from, int to, int shift)
+        {
+            if (from > to) return;
+            image[0] = static_cast<signed char>(shift);
+            test(grid_.cellStart[begin + from - shift*count], grid_.cellStart[begin + to - shift*count + 1], image);
+        };
+        cells(std::max(first, 0), std::min(last, count - 1), 0);
+        if (!box_.isPeriodic(0)) return;
+        cells(first, std::min(last, -1), -1);
+        cells(std::max(first, count), last, 1);
+    }
+
+    void test(int first, int last, const Image& image)
+    {
+        for (; first < last; first += chunk)
+        {
+            const unsigned long long inRun = last - first >= chunk ? (1u << chunk) - 1u : (1u << (last - first)) - 1u;
+            bits_ |= (nearBits(first, image) & inRun) << (chunk*chunks_);
+            firsts_[chunks_] = first;
+            images_[chunks_][0] = opposite(image);
+            images_[chunks_][1] = image;
+            if (++chunks_ == chunksAtOnce) flush();
+        }
+    }
+
+    /// Bit k: whether member first + k is near.
+    unsigned nearBits(int first, const Image& image) const
+    {
+        const Two px = two(x_[0] - image[0]*box_.length[0]), py = two(x_[1] - image[1]*box_.length[1]), pz = two(x_[2] - image[2]*box_.length[2]);
+        const Two size = two(size_);
+        const double *const x = &grid_.x[0][first], *const y = &grid_.x[1][first], *const z = &grid_.x[2][first], *const s = &grid_.size[first];
+        unsigned bits = 0;
+        for (int k = 0; k < chunk; k += 2)
+        {
+            const Two dx = px - load(x + k), dy = py - load(y + k), dz = pz - load(z + k), reach = size + load(s + k);
+            bits |= signs(dx*dx + dy*dy + dz*dz - reach*reach) << k;
+        }
+        return bits;
+    }
+
+    void flush()
+    {
+        for (; bits_ != 0; bits_ &= bits_ - 1)
+        {
+            const int bit = __builtin_ctzll(bits_), c = bit/chunk;
+            const int other = grid_.body[firsts_[c] + bit % chunk];
+            if (other != body_) pairs_.push_back({std::min(body_, other), std::max(body_, other), images_[c][body_ < other]});
+        }
+        chunks_ = 0;
+    }
+
+    static Image opposite(const Image& image)
+    {
+        return {static_cast<signed char>(-image[0]), static_cast<signed char>(-image[1]), static_cast<signed char>(-image[2])};
+    }
+
+    const CellGrid& grid_;
+    const PeriodicBox& box_;
+    std::vector<BodyPair>& pairs_;
+    int body_ = 0;
+    double x_[3] = {0.0, 0.0, 0.0};
+    double size_ = 0.0;
+    unsigned long long bits_ = 0;
+    int chunks_ = 0;
+    int firsts_[chunksAtOnce] = {};
+    Image images_[chunksAtOnce][2] = {};   // as seen from the member, and from the body
 };
 
-/// Cells at least `minimum` wide, and not many more of them than bodies.
-void sizeCells(Grid& grid, const Eigen::AlignedBox3d& extent, const PeriodicBox& box, double minimum, std::size_t bodies)
-{
-    double width = minimum;
-    for (;;)
-    {
-        double cells = 1.0;
-        for (int k = 0; k < 3; ++k)
-        {
-            const double length = box.isPeriodic(k) ? box.length[k] : extent.sizes()[k];
-            grid.lower[k] = box.isPeriodic(k) ? box.lower[k] : extent.min()[k];
-            const double count = std::max(1.0, std::floor(length/width));
-            cells *= count;
-            grid.count[k] = static_cast<int>(std::min(count, 2e6));
-            grid.cellSize[k] = std::max(length/count, std::numeric_limits<double>::min());
-            if (!box.isPeriodic(k)) grid.cellSize[k] = std::max(grid.cellSize[k], width);
-        }
-        if (cells <= 8.0*bodies + 64.0) return;
-        width *= 1.26;
-    }
-}
-
-Grid buildGrid
-(
-    const std::vector<Vec3>& position, const std::vector<double>& size, const std::vector<int>& bodies,
-    const PeriodicBox& box
-)
-{
-    Grid grid;
-    Eigen::AlignedBox3d extent;
-    double maxSize = 0.0;
-    for (int i : bodies)
-    {
-        extent.extend(position[i]);
-        maxSize = std::max(maxSize, size[i]);
-    }
-    sizeCells(grid, extent, box, 2.0*maxSize, bodies.size());
-
-    std::vector<int> cellOfBody(bodies.size());
-    grid.cellStart.assign(static_cast<std::size_t>(grid.count[0])*grid.count[1]*grid.count[2] + 1, 0);
-    for (std::size_t m = 0; m < bodies.size(); ++m)
-    {
-        cellOfBody[m] = grid.linear(grid.cellOf(position[bodies[m]]));
-        ++grid.cellStart[cellOfBody[m] + 1];
-    }
-    std::partial_sum(grid.cellStart.begin(), grid.cellStart.end(), grid.cellStart.begin());
-
-    std::vector<int> next(grid.cellStart.begin(), grid.cellStart.end() - 1);
-    grid.members.resize(bodies.size());
-    grid.memberPosition.resize(bodies.size());
-    grid.memberSize.resize(bodies.size());
-    for (std::size_t m = 0; m < bodies.size(); ++m)
-    {
-        const int place = next[cellOfBody[m]]++;
-        grid.members[place] = bodies[m];
-        grid.memberPosition[place] = position[bodies[m]];
-        grid.memberSize[place] = size[bodies[m]];
-    }
-    return grid;
-}
-
-/// Steps from a cell by an offset; false where the grid ends. `image` receives the shift in periods.
-bool neighborCell(const Grid& grid, const PeriodicBox& box, const Cell& cell, const Cell& offset, Cell& neighbor, Image& image)
-{
-    for (int k = 0; k < 3; ++k)
-    {
-        neighbor[k] = cell[k] + offset[k];
-        image[k] = 0;
-        if (neighbor[k] >= 0 && neighbor[k] < grid.count[k]) continue;
-        if (!box.isPeriodic(k)) return false;
-        image[k] = neighbor[k] < 0 ? -1 : 1;
-        neighbor[k] -= image[k]*grid.count[k];
-    }
-    return true;
-}
-
-Vec3 shift(const PeriodicBox& box, const Image& image)
-{
-    return Vec3(image[0]*box.length[0], image[1]*box.length[1], image[2]*box.length[2]);
-}
-
-void addPair(std::vector<BodyPair>& pairs, int i, int j, const Image& image)
-{
-    if (i < j) pairs.push_back({i, j, image});
-    else pairs.push_back({j, i, {static_cast<signed char>(-image[0]), static_cast<signed char>(-image[1]), static_cast<signed char>(-image[2])}});
-}
-
-/// Pairs of body i with the members first..last of a grid cell.
-void pairWithMembers
-(
-    const Grid& grid, int first, int last, int i, const Vec3& x, double size, const Image& image, std::vector<BodyPair>& pairs
-)
-{
-    for (int m = first; m < last; ++m)
-    {
-        const double reach = size + grid.memberSize[m];
-        if ((x - grid.memberPosition[m]).squaredNorm() < reach*reach && grid.members[m] != i)
-        {
-            addPair(pairs, i, grid.members[m], image);
-        }
-    }
-}
-
-/// Half of the 26 neighbors: each pair of cells is visited once.
-std::vector<Cell> forwardOffsets()
-{
-    std::vector<Cell> offsets;
-    for (int dz = -1; dz <= 1; ++dz)
-    {
-        for (int dy = -1; dy <= 1; ++dy)
-        {
-            for (int dx = -1; dx <= 1; ++dx)
-            {
-                if (dz > 0 || (dz == 0 && (dy > 0 || (dy == 0 && dx > 0)))) offsets.push_back({dx, dy, dz});
-            }
-        }
-    }
-    return offsets;
-}
-
-void pairsWithinGrid(const Grid& grid, const PeriodicBox& box, std::vector<BodyPair>& pairs)
-{
-    static const std::vector<Cell> offsets = forwardOffsets();
-    Cell cell;
-    int first = 0;
-    for (cell[2] = 0; cell[2] < grid.count[2]; ++cell[2])
-    for (cell[1] = 0; cell[1] < grid.count[1]; ++cell[1])
-    for (cell[0] = 0; cell[0] < grid.count[0]; ++cell[0])
-    {
-        const int last = grid.cellStart[grid.linear(cell) + 1];
-        if (first == last) continue;
-        for (int m = first; m < last; ++m)
-        {
-            pairWithMembers(grid, m + 1, last, grid.members[m], grid.memberPosition[m], grid.memberSize[m], {0, 0, 0}, pairs);
-        }
-        for (const Cell& offset : offsets)
-        {
-            Cell neighbor;
-            Image image;
-            if (!neighborCell(grid, box, cell, offset, neighbor, image)) continue;
-            const int n = grid.linear(neighbor);
-            if (grid.cellStart[n] == grid.cellStart[n + 1]) continue;
-            const Vec3 back = shift(box, image);
-            for (int m = first; m < last; ++m)
-            {
-                pairWithMembers
-                (
-                    grid, grid.cellStart[n], grid.cellStart[n + 1], grid.members[m],
-                    grid.memberPosition[m] - back, grid.memberSize[m], image, pairs
-                );
-            }
-        }
-        first = last;
-    }
-}
-
-void pairsWithCoarser(const Grid& fine, const Grid& coarse, const PeriodicBox& box, std::vector<BodyPair>& pairs)
-{
-    for (std::size_t m = 0; m < fine.members.size(); ++m)
-    {
-        const Cell cell = coarse.cellOf(fine.memberPosition[m]);
-        for (int dz = -1; dz <= 1; ++dz)
-        for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-        {
-            Cell neighbor;
-            Image image;
-            if (!neighborCell(coarse, box, cell, {dx, dy, dz}, neighbor, image)) continue;
-            const int n = coarse.linear(neighbor);
-            pairWithMembers
-            (
-                coarse, coarse.cellStart[n], coarse.cellStart[n + 1], fine.members[m],
-                fine.memberPosition[m] - shift(box, image), fine.memberSize[m], image, pairs
-            );
-        }
-    }
-}
-
-/// Groups bodies by octave of size, finest first; empty octaves are left out.
-std::vector<std::vector<int>> groupByOctave(const std::vector<double>& size)
-{
-    const double smallest = *std::min_element(size.begin(), size.end());
-    std::vector<std::vector<int>> groups;
-    for (std::size_t i = 0; i < size.size(); ++i)
-    {
-        const std::size_t octave = static_cast<std::size_t>(std::floor(std::log2(size[i]/smallest)));
-        if (octave >= groups.size()) groups.resize(octave + 1);
-        groups[octave].push_back(static_cast<int>(i));
-    }
-    groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& g) { return g.empty(); }), groups.end());
-    return groups;
-}
-
-/// Orders pairs by their first body, keeping the order of discovery within one.
-std::vector<BodyPair> sortByFirst(const std::vector<BodyPair>& pairs, std::size_t bodies)
-{
-    std::vector<std::size_t> next(bodies + 1, 0);
-    for (const BodyPair& pair : pairs) ++next[pair.a + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<BodyPair> sorted(pairs.size());
-    for (const BodyPair& pair : pairs) sorted[next[pair.a]++] = pair;
-    return sorted;
-}
-
-} // namespace
-
-std::vector<BodyPair> findPairs
-(
-    const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius
-)
+void checkPeriods(const PeriodicBox& box, double maxRadius)
 {
     for (int k = 0; k < 3; ++k)
     {
@@ -263,21 +226,68 @@ std::vector<BodyPair> findPairs
             throw invalidValue("period along axis " + std::to_string(k), box.length[k], "at least the largest grain's diameter");
         }
     }
-    std::vector<BodyPair> pairs;
-    if (position.empty()) return pairs;
-    pairs.reserve(6*position.size());
+}
 
-    std::vector<Grid> grids;
-    for (const auto& group : groupByOctave(size)) grids.push_back(buildGrid(position, size, group, box));
-    for (std::size_t level = 0; level < grids.size(); ++level)
+} // namespace
+
+/// Empty octaves are left out.
+void PairSearch::groupByOctave(const std::vector<double>& size)
+{
+    const auto extremes = std::minmax_element(size.begin(), size.end());
+    const double smallest = *extremes.first;
+    grids_.resize(1 + std::ilogb(*extremes.second/smallest));
+    for (CellGrid& grid : grids_) grid.bodies.clear();
+    if (grids_.size() == 1)
     {
-        pairsWithinGrid(grids[level], box, pairs);
-        for (std::size_t coarser = level + 1; coarser < grids.size(); ++coarser)
+        grids_[0].bodies.resize(size.size());
+        std::iota(grids_[0].bodies.begin(), grids_[0].bodies.end(), 0);
+        return;
+    }
+    for (std::size_t i = 0; i < size.size(); ++i) grids_[std::ilogb(size[i]/smallest)].bodies.push_back(static_cast<int>(i));
+    grids_.erase(std::remove_if(grids_.begin(), grids_.end(), [](const CellGrid& grid) { return grid.bodies.empty(); }), grids_.end());
+}
+
+const std::vector<BodyPair>& PairSearch::find
+(
+    const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius
+)
+{
+    checkPeriods(box, maxRadius);
+    found_.clear();
+    sorted_.clear();
+    if (position.empty()) return sorted_;
+    groupByOctave(size);
+    for (CellGrid& grid : grids_)
+    {
+        grid.fill(position, size, box);
+        Look look(grid, box, found_);
+        for (int place : grid.placeOf) look.around(place);
+    }
+    for (std::size_t level = 1; level < grids_.size(); ++level)
+    {
+        const CellGrid& coarse = grids_[level];
+        for (std::size_t finer = 0; finer < level; ++finer)
         {
-            pairsWithCoarser(grids[level], grids[coarser], box, pairs);
+            Look look(grids_[finer], box, found_);
+            for (int m : coarse.placeOf) look.within(coarse.body[m], coarse.x[0][m], coarse.x[1][m], coarse.x[2][m], coarse.size[m]);
         }
     }
-    return sortByFirst(pairs, position.size());
+
+    // By first body, keeping the order of discovery within one.
+    next_.assign(position.size() + 1, 0);
+    for (const BodyPair& pair : found_) ++next_[pair.a + 1];
+    std::partial_sum(next_.begin(), next_.end(), next_.begin());
+    sorted_.resize(found_.size());
+    for (const BodyPair& pair : found_) sorted_[next_[pair.a]++] = pair;
+    return sorted_;
+}
+
+std::vector<BodyPair> findPairs
+(
+    const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius
+)
+{
+    return PairSearch().find(position, size, box, maxRadius);
 }
 
 } // namespace nscd

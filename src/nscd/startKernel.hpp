@@ -55,7 +55,7 @@ bool setLaws(const Body* bodies, ContactBlock& block, const double* gap, const L
 }
 
 /// Turns last step's impulses into this step's tangent planes and friction discs, and gives them to the bodies.
-template<class V>
+template<class V, bool isFrictional>
 inline void startLanes(Body* bodies, ContactBlock& block, double scale, int first)
 {
     using Real = typename V::Real;
@@ -64,20 +64,20 @@ inline void startLanes(Body* bodies, ContactBlock& block, double scale, int firs
     Real px = V::all(scale)*V::load(block.r[0] + first);
     Real py = V::all(scale)*V::load(block.r[1] + first);
     Real pz = V::all(scale)*V::load(block.r[2] + first);
-    admitImpulses<V>(nx, ny, nz, V::load(block.friction + first), px, py, pz);
+    admitImpulses<V, isFrictional>(nx, ny, nz, V::load(block.friction + first), px, py, pz);
     V::store(block.r[0] + first, px);
     V::store(block.r[1] + first, py);
     V::store(block.r[2] + first, pz);
-    applyImpulses<V, true>(bodies, block, first, nx, ny, nz, px, py, pz);
+    applyImpulses<V, isFrictional>(bodies, block, first, nx, ny, nz, px, py, pz);
 }
 
-template<class V>
+template<class V, bool isFrictional>
 void startWarm(Body* bodies, ContactBlock* blocks, BlockRange range, double scale)
 {
     for (std::size_t k = 0; k < range.count; ++k)
     {
         prefetch(bodies, blocks, range, k);
-        for (int first = 0; first < blockLanes; first += V::lanes) startLanes<V>(bodies, blocks[range[k]], scale, first);
+        for (int first = 0; first < blockLanes; first += V::lanes) startLanes<V, isFrictional>(bodies, blocks[range[k]], scale, first);
     }
 }
 

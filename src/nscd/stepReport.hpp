@@ -20,6 +20,7 @@ struct SolveReport
     double residualMax = 0.0;   ///< natural map, largest [m/s]
     double speedScale = 0.0;    ///< what the tolerance multiplies [m/s]
     std::size_t contacts = 0;   ///< contacts that carry an impulse
+    std::size_t isolated = 0;   ///< of these, those solved exactly beside the sweeps, as their grains have no other
     /// Largest ratio of masses across a loaded contact, where it is so large that forces can be wrong though velocities have
     /// converged, and the direct method could not be used; 0: nothing to fear. See warning().
     double hiddenMassRatio = 0.0;

@@ -14,37 +14,40 @@ namespace nscd
 namespace
 {
 
-bool isSwapped(const PairImpulse& entry) { return entry.b >= 0 && entry.b < entry.a; }
-
-/// The same impulse seen from the grain of lower index.
-PairImpulse fromLowerGrain(const PairImpulse& entry)
-{
-    return isSwapped(entry) ? PairImpulse{entry.b, entry.a, -entry.impulse} : entry;
-}
-
-/// Impulses grouped by their first grain.
-struct ImpulsesByGrain
+/// Impulses by their bodies' numbers instead of grains', so that what is near in space is near in memory; grouped by the lower one, and
+/// on that one.
+struct ImpulsesByBody
 {
     std::vector<int> start;
     std::vector<PairImpulse> entries;
     std::vector<Vec3> rolling;   ///< of each entry, or empty
 };
 
-ImpulsesByGrain groupByGrain(const std::vector<PairImpulse>& impulses, const std::vector<Vec3>& rolling, std::size_t grains)
+ImpulsesByBody groupByBody(const ContactList& list, const std::vector<PairImpulse>& impulses, const std::vector<Vec3>& rolling)
 {
-    ImpulsesByGrain table;
-    table.start.assign(grains + 1, 0);
+    std::vector<int> bodyOf(list.owned());
+    for (int body = 0; body < list.owned(); ++body) bodyOf[list.grainOf[body]] = body;
+    const auto number = [&](int grain) { return grain >= 0 && grain < list.owned() ? bodyOf[grain] : grain; };
+    const auto isSwapped = [](int a, int b) { return b >= 0 && b < a; };
+
+    ImpulsesByBody table;
+    table.start.assign(list.firstWallBody() + 2, 0);
     table.entries.resize(impulses.size());
     table.rolling.resize(rolling.size());
-    for (const PairImpulse& entry : impulses) ++table.start[fromLowerGrain(entry).a + 1];
+    for (const PairImpulse& entry : impulses)
+    {
+        const int a = number(entry.a), b = number(entry.b);
+        ++table.start[(isSwapped(a, b) ? b : a) + 2];
+    }
+    // Shifted by one: filling moves each start on to where its group ends, which is where the next one starts.
     std::partial_sum(table.start.begin(), table.start.end(), table.start.begin());
-    std::vector<int> next(table.start.begin(), table.start.end() - 1);
     for (std::size_t k = 0; k < impulses.size(); ++k)
     {
-        const PairImpulse ordered = fromLowerGrain(impulses[k]);
-        const int place = next[ordered.a]++;
-        table.entries[place] = ordered;
-        if (!rolling.empty()) table.rolling[place] = isSwapped(impulses[k]) ? Vec3(-rolling[k]) : rolling[k];
+        const int a = number(impulses[k].a), b = number(impulses[k].b);
+        const bool swap = isSwapped(a, b);
+        const int place = table.start[(swap ? b : a) + 1]++;
+        table.entries[place] = swap ? PairImpulse{b, a, -impulses[k].impulse} : PairImpulse{a, b, impulses[k].impulse};
+        if (!rolling.empty()) table.rolling[place] = swap ? Vec3(-rolling[k]) : rolling[k];
     }
     return table;
 }
@@ -109,8 +112,8 @@ void forEachLoaded(const ContactList& list, bool withAttracting, const Visit& vi
 {
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
-        if (!list.isUsed(slot)) continue;
         const Vec3 r = impulse(list, slot);
+        if (!list.isUsed(slot)) continue;
         if (r == Vec3::Zero() && !(withAttracting && list.cohesion[slot].isActing())) continue;
         const ContactBlock& block = list.blocks[slot/blockLanes];
         const int wall = list.wall[slot];
@@ -121,28 +124,32 @@ void forEachLoaded(const ContactList& list, bool withAttracting, const Visit& vi
 
 void setRolling(RollingSlot& slot, const Vec3& q) { std::copy_n(q.data(), 3, slot.q); }
 
+/// Of several images of a pair, the entry best aligned with normal n.
+PairImpulse* findBest(ImpulsesByBody& table, int first, int second, const Vec3& n)
+{
+    PairImpulse* best = nullptr;
+    for (int k = table.start[first]; k < table.start[first + 1]; ++k)
+    {
+        PairImpulse& entry = table.entries[k];
+        if (entry.b != second || !(entry.impulse.dot(n) > 0.0)) continue;
+        if (!best || entry.impulse.dot(n) > best->impulse.dot(n)) best = &entry;
+    }
+    return best;
+}
+
 void assignPairs(ContactList& list, const ImpulseRecord& record)
 {
     if (record.inner.empty()) return;
-    ImpulsesByGrain table = groupByGrain(record.inner, record.innerRolling, list.grainOf.size());
+    ImpulsesByBody table = groupByBody(list, record.inner, record.innerRolling);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (!list.isUsed(slot)) continue;
         const ContactBlock& block = list.blocks[slot/blockLanes];
-        const int grainA = list.grain(block.a[slot % blockLanes]);
-        const int grainB = list.wall[slot] >= 0 ? -1 - list.wall[slot] : list.grain(block.b[slot % blockLanes]);
-        const bool isSwapped = grainB >= 0 && grainB < grainA;
-        const int first = isSwapped ? grainB : grainA;
-        const int second = isSwapped ? grainA : grainB;
+        const int a = list.ownBody(block.a[slot % blockLanes]);
+        const int b = list.wall[slot] >= 0 ? -1 - list.wall[slot] : list.ownBody(block.b[slot % blockLanes]);
+        const bool isSwapped = b >= 0 && b < a;
         const Vec3 n = (isSwapped ? -1.0 : 1.0)*normal(list, slot);
-
-        PairImpulse* best = nullptr;
-        for (int k = table.start[first]; k < table.start[first + 1]; ++k)
-        {
-            PairImpulse& entry = table.entries[k];
-            if (entry.b != second || !(entry.impulse.dot(n) > 0.0)) continue;
-            if (!best || entry.impulse.dot(n) > best->impulse.dot(n)) best = &entry;
-        }
+        PairImpulse* const best = isSwapped ? findBest(table, b, a, n) : findBest(table, a, b, n);
         if (!best) continue;
         setImpulse(list, slot, isSwapped ? Vec3(-best->impulse) : best->impulse);
         if (list.hasRolling)
@@ -166,6 +173,7 @@ std::vector<SlotImpulse> loadedSlots(const ContactList& list)
 ImpulseRecord collectImpulses(const ContactList& list)
 {
     ImpulseRecord record;
+    record.inner.reserve(list.candidates);
     forEachLoaded(list, false, [&](std::size_t slot, const PairImpulse& pair)
     {
         const int ghost = pair.b - list.owned();

@@ -5,6 +5,7 @@
 // Everything is in an anonymous namespace, so that no function built for a wider set can leak into the portable program.
 #pragma once
 
+#include "discKernel.hpp"
 #include "mixingKernel.hpp"
 #include "startKernel.hpp"
 
@@ -75,7 +76,28 @@ inline void solveLanes(Body* bodies, ContactBlock& block, int first, typename V:
     applyImpulses<V, isFrictional>(bodies, block, first, nx, ny, nz, dx, dy, dz);
 }
 
-template<class V, bool isFrictional, bool isUpdate>
+/// The local solutions that a pass can be made of.
+template<bool isFrictional>
+struct Spheres
+{
+    template<class V, bool isUpdate, class Real>
+    static void solve(Body* bodies, ContactBlock& block, int first, Real& sum2, Real& max2, Real& active)
+    {
+        solveLanes<V, isFrictional, isUpdate>(bodies, block, first, sum2, max2, active);
+    }
+};
+
+template<int axis>
+struct Discs
+{
+    template<class V, bool isUpdate, class Real>
+    static void solve(Body* bodies, ContactBlock& block, int first, Real& sum2, Real& max2, Real& active)
+    {
+        solveDiscLanes<V, axis, isUpdate>(bodies, block, first, sum2, max2, active);
+    }
+};
+
+template<class V, class Local, bool isUpdate>
 DefectSums passOverBlocks(Body* bodies, ContactBlock* blocks, BlockRange range)
 {
     typename V::Real sum2 = V::zero(), max2 = V::zero(), active = V::zero();
@@ -84,7 +106,7 @@ DefectSums passOverBlocks(Body* bodies, ContactBlock* blocks, BlockRange range)
         prefetch(bodies, blocks, range, k);
         for (int first = 0; first < blockLanes; first += V::lanes)
         {
-            solveLanes<V, isFrictional, isUpdate>(bodies, blocks[range[k]], first, sum2, max2, active);
+            Local::template solve<V, isUpdate>(bodies, blocks[range[k]], first, sum2, max2, active);
         }
     }
     double sums[V::lanes], maxima[V::lanes], counts[V::lanes];
@@ -101,16 +123,16 @@ DefectSums passOverBlocks(Body* bodies, ContactBlock* blocks, BlockRange range)
     return total;
 }
 
-template<class V>
+template<class V, bool isFrictional>
 inline void replaceLanes(Body* bodies, ContactBlock& block, int first, double* target)
 {
     using Real = typename V::Real;
 
     const Real nx = V::load(block.n[0] + first), ny = V::load(block.n[1] + first), nz = V::load(block.n[2] + first);
     Real px = V::load(target + first), py = V::load(target + blockLanes + first), pz = V::load(target + 2*blockLanes + first);
-    admitImpulses<V>(nx, ny, nz, V::load(block.friction + first), px, py, pz);
+    admitImpulses<V, isFrictional>(nx, ny, nz, V::load(block.friction + first), px, py, pz);
     const Real dx = px - V::load(block.r[0] + first), dy = py - V::load(block.r[1] + first), dz = pz - V::load(block.r[2] + first);
-    applyImpulses<V, true>(bodies, block, first, nx, ny, nz, dx, dy, dz);
+    applyImpulses<V, isFrictional>(bodies, block, first, nx, ny, nz, dx, dy, dz);
 
     const Real p[3] = {px, py, pz};
     for (int k = 0; k < 3; ++k)
@@ -120,7 +142,7 @@ inline void replaceLanes(Body* bodies, ContactBlock& block, int first, double* t
     }
 }
 
-template<class V>
+template<class V, bool isFrictional>
 void replaceImpulses(Body* bodies, ContactBlock* blocks, BlockRange range, double* target)
 {
     for (std::size_t k = 0; k < range.count; ++k)
@@ -128,7 +150,7 @@ void replaceImpulses(Body* bodies, ContactBlock* blocks, BlockRange range, doubl
         prefetch(bodies, blocks, range, k);
         for (int first = 0; first < blockLanes; first += V::lanes)
         {
-            replaceLanes<V>(bodies, blocks[range[k]], first, target + k*3*blockLanes);
+            replaceLanes<V, isFrictional>(bodies, blocks[range[k]], first, target + k*3*blockLanes);
         }
     }
 }
@@ -136,9 +158,11 @@ void replaceImpulses(Body* bodies, ContactBlock* blocks, BlockRange range, doubl
 template<class V>
 constexpr SweepKernels makeKernels(const char* name)
 {
-    return {name, V::lanes, passOverBlocks<V, true, true>, passOverBlocks<V, false, true>,
-            passOverBlocks<V, true, false>, passOverBlocks<V, false, false>, replaceImpulses<V>, addDifferences,
-            setLaws<V>, startWarm<V>};
+    return {name, V::lanes, passOverBlocks<V, Spheres<true>, true>, passOverBlocks<V, Spheres<false>, true>,
+            passOverBlocks<V, Spheres<true>, false>, passOverBlocks<V, Spheres<false>, false>, replaceImpulses<V, true>,
+            replaceImpulses<V, false>, addDifferences, setLaws<V>, startWarm<V, true>, startWarm<V, false>,
+            {passOverBlocks<V, Discs<0>, true>, passOverBlocks<V, Discs<1>, true>, passOverBlocks<V, Discs<2>, true>},
+            {passOverBlocks<V, Discs<0>, false>, passOverBlocks<V, Discs<1>, false>, passOverBlocks<V, Discs<2>, false>}};
 }
 
 } // namespace

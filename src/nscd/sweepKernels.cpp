@@ -44,4 +44,20 @@ SweepKernels chooseKernels(const char* vectorPath)
     throw invalidValue("vectorPath", path, "auto, portable, AVX2, AVX512, the last two only on processors that have them");
 }
 
+SweepKernels normalOnly(SweepKernels kernels)
+{
+    kernels.sweep = kernels.sweepFrictionless;
+    kernels.evaluate = kernels.evaluateFrictionless;
+    kernels.replaceImpulses = kernels.replaceFrictionless;
+    kernels.startWarm = kernels.startWarmFrictionless;
+    return kernels;
+}
+
+SweepKernels planar(SweepKernels kernels, int axis)
+{
+    kernels.sweep = kernels.sweepDiscs[axis];
+    kernels.evaluate = kernels.evaluateDiscs[axis];
+    return kernels;
+}
+
 } // namespace nscd

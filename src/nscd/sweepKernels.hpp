@@ -17,4 +17,10 @@ SweepKernels avx512Kernels();
 /// Errors: std::invalid_argument for an unknown name, or a path this processor lacks
 SweepKernels chooseKernels(const char* vectorPath);
 
+/// Those of a scene without friction, which know of no spins, in the place of all others.
+SweepKernels normalOnly(SweepKernels kernels);
+
+/// Those of discs in a plane, in the place of those of spheres, for steps in which nothing has a component out of it. `axis`: 0, 1 or 2.
+SweepKernels planar(SweepKernels kernels, int axis);
+
 } // namespace nscd

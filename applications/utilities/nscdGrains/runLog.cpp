@@ -4,7 +4,7 @@
 // Writing the log.
 #include "runLog.hpp"
 
-#include "sweepKernels.hpp"
+#include "sceneWork.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,13 +71,12 @@ RunLog::RunLog(std::ostream& os, double startTime, double endTime)
 void RunLog::scene(const SceneSettings& scene, const nscd::Grains& grains, const ResultsFolder& results)
 {
     const nscd::ContactSettings& contact = scene.contact;
-    const char* const kernels = nscd::chooseKernels(contact.vectorPath.c_str()).name;
     os_ << "Scene " << scene.file << '\n'
         << "  grains    " << describeGrains(grains) << '\n'
         << "  walls     " << describeWalls(scene.walls) << '\n'
         << "  periodic  " << describePeriods(scene.box) << '\n'
         << formatted("  contacts  %s, tolerance %.3g, at most %d sweeps\n", contact.solver.c_str(), contact.tolerance, contact.maxSweeps)
-        << "  vectors   " << kernels << '\n'
+        << "  work      " << nscd::describeWork(scene.materials.table, scene.shape, contact) << '\n'
         << formatted("  time      %.9g to %.9g s in steps of %.4g s\n", startTime_, endTime_, scene.run.deltaT)
         << formatted("  results   every %.4g s into %s\n\n", scene.run.writeInterval, results.path().c_str()) << std::flush;
 }
@@ -106,6 +105,7 @@ void RunLog::step(const StepRow& row, std::int64_t number, bool isWritten)
             solve.residualRms, solve.residualMax, row.report.overlapMax
         )
         << progress(row.time) << (isWritten ? ", written" : "");
+    if (solve.isolated > 0) os_ << "; " << solve.isolated << " isolated";
     if (row.report.asleep > 0) os_ << "; " << row.report.asleep << " asleep";
     if (atCapSinceLine_ > 0) os_ << "; " << atCapSinceLine_ << " steps at the cap since the last line";
     os_ << std::endl;

@@ -5,7 +5,7 @@
 #include "sceneLog.H"
 #include "logText.H"
 
-#include "sweepKernels.hpp"
+#include "sceneWork.hpp"
 
 #include "Time.H"
 
@@ -84,7 +84,7 @@ void logScene
     line("contacts", formatted
     (
         "%s, tolerance %.3g, at most %d sweeps, %s", contact.solver.c_str(), contact.tolerance, contact.maxSweeps,
-        nscd::chooseKernels(contact.vectorPath.c_str()).name
+        nscd::describeWork(properties.materials.table, scene.space.shape, contact).c_str()
     ));
     line("fluid", describeFluid(properties));
     if (Pstream::parRun()) line("ranks", formatted("%d, load at most %.3g of the mean", Pstream::nProcs(), properties.maxLoadImbalance));

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+"""K6: spheres without friction: normal impulses only, and with all directions and spins for a friction that is not felt."""
+
+from leftOut import bars, measured
+
+table = measured("K6", [["skips", "smooth"]])
+bars(table, "K6", ["variant"], "msPerStep", "ms per step (processor)")

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+"""S29: a million grains at a volume fraction of 1e-3, hardly any touching."""
+
+from leftOut import bars, measured
+
+table = measured("S29", [["skips", "cloud"]])
+bars(table, "S29", ["variant"], "msPerStep", "ms per step (processor)")

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What leaving out saves, as CSV: each row a scene with a choice that the library makes by itself, or without. Milliseconds of the processor.
+// skips still BED | planar [PERSIDE] | smooth [PERSIDE] | cloud [PERSIDE] | pairs [PERSIDE] | rest BED [STEPS]
+#include "benchmark/rankedBed/tiledBed.hpp"
+#include "unit/nscd/heaps.hpp"
+
+#include "contactStep.hpp"
+#include "isolatedPairs.hpp"
+#include "sweepKernels.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <random>
+
+using namespace scenes;
+
+namespace
+{
+
+/// The clock is that of the processor; the library's own times are of the wall, and show shares only.
+double now() { return static_cast<double>(std::clock())/CLOCKS_PER_SEC; }
+
+void printHead() { std::printf("scene,variant,grains,contacts,isolated,steps,sweepsPerStep,listsBuilt,msPerStep,searchShare,buildShare,solveShare,moveShare,creep,kineticEnergy\n"); }
+
+double largestMove(const nscd::Grains& a, const nscd::Grains& b)
+{
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a.position[i] - b.position[i]).norm());
+    return largest/(2*radius);
+}
+
+/// Some steps under weight or nothing, and what they cost.
+void measure(const char* scene, const char* variant, nscd::GrainDynamics& dynamics, const Vec3& g, int steps)
+{
+    const nscd::Grains before = dynamics.grains();
+    const nscd::ExternalForces forces = weight(before, g, deltaT);
+    const nscd::StepTimes from = dynamics.times();
+    double sweeps = 0.0;
+    int built = 0;
+    nscd::StepReport report;
+    const double start = now();
+    for (int k = 0; k < steps; ++k)
+    {
+        dynamics.beginStep(deltaT);
+        report = dynamics.advance(forces);
+        sweeps += report.solve.sweeps;
+        built += report.listRebuilt;
+    }
+    const double seconds = now() - start;
+    const nscd::StepTimes& to = dynamics.times();
+    const double parts[4] = {to.findPairs - from.findPairs, to.buildContacts - from.buildContacts, to.solveContacts - from.solveContacts, to.moveGrains - from.moveGrains};
+    const double all = std::max(1e-30, parts[0] + parts[1] + parts[2] + parts[3]);
+    std::printf("%s,%s,%zu,%zu,%zu,%d,%.2f,%d,%.4f,%.3f,%.3f,%.3f,%.3f,%.2e,%.2e\n", scene, variant, before.size(), report.solve.contacts, report.solve.isolated,
+                steps, sweeps/steps, built, 1e3*seconds/steps, parts[0]/all, parts[1]/all, parts[2]/all, parts[3]/all,
+                largestMove(before, dynamics.grains()), nscd::kineticEnergy(dynamics.grains()));
+    std::fflush(stdout);
+}
+
+/// K4, and the same asleep.
+void stillBed(const char* file)
+{
+    const TiledBed tiles(file, 1, 1);
+    for (const bool sleep : {false, true})
+    {
+        nscd::ContactSettings settings;
+        settings.sleep = sleep;
+        auto dynamics = tiles.part(0, tiles.size()).build(settings);
+        for (int k = 0; k < 500; ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
+        measure("still", sleep ? "may sleep" : "awake", dynamics, Vec3(0, 0, -gravity), 200);
+    }
+}
+
+/// K5: discs that land, with the plane told and not told.
+void planar(int perSide)
+{
+    for (const int axis : {-1, 1})
+    {
+        Scene scene = heap(2, perSide, perSide, radius, 0.8, friction);
+        scene.grains.shape.emptyAxis = axis;
+        nscd::ContactSettings settings;
+        settings.sleep = false;
+        auto dynamics = scene.build(settings);
+        measure("planar", axis < 0 ? "spheres' kernel" : "discs' kernel", dynamics, scene.g, 150);
+    }
+}
+
+/// K6: a heap without friction, and with one that is too small to feel but asks for all three directions and spins.
+void smooth(int perSide)
+{
+    for (const double mu : {1e-300, 0.0})
+    {
+        const Scene scene = heap(3, perSide, perSide, radius, 0.8, mu);
+        nscd::ContactSettings settings;
+        settings.sleep = false;
+        auto dynamics = scene.build(settings);
+        measure("smooth", mu > 0.0 ? "friction 1e-300" : "friction 0", dynamics, scene.g, 100);
+    }
+}
+
+/// Grains of one size at random in a periodic box, none touching, with random velocities.
+Scene gas(int perSide, double fraction, double speed)
+{
+    Scene scene(3, friction, 0.0);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const double spacing = radius*std::cbrt(4.0/3.0*3.14159265358979/fraction), shake = 0.5*spacing - radius;
+    scene.box.length = Vec3::Constant(perSide*spacing);
+    for (int k = 0; k < perSide*perSide*perSide; ++k)
+    {
+        const Vec3 cell(k % perSide + 0.5, k/perSide % perSide + 0.5, k/perSide/perSide + 0.5);
+        scene.addGrain(spacing*cell + 0.999*shake*Vec3(unit(random), unit(random), unit(random)), radius, density);
+        scene.grains.velocity.back() = speed*Vec3(unit(random), unit(random), unit(random));
+    }
+    return scene;
+}
+
+/// S29.
+void cloud(int perSide)
+{
+    const Scene scene = gas(perSide, 1e-3, 0.01);
+    auto dynamics = scene.build(nscd::ContactSettings());
+    for (const char* variant : {"first steps", "later"}) measure("cloud", variant, dynamics, Vec3::Zero(), 20);
+}
+
+/// Contacts of a dilute gas: those that are isolated once, or all by sweeps.
+void pairs(int perSide)
+{
+    const Scene scene = gas(perSide, 0.1, 0.25);
+    const nscd::Scene parts{scene.grains, scene.materials, scene.walls, scene.box};
+    const nscd::SweepKernels kernels = nscd::chooseKernels("auto");
+    const nscd::ContactSettings settings;
+    std::printf("scene,variant,grains,candidates,contacts,isolated,sweeps,solveMs\n");
+    for (const bool apart : {false, true})
+    {
+        double best = 1e30;
+        nscd::SolveReport report;
+        std::size_t candidates = 0;
+        for (int attempt = 0; attempt < 5; ++attempt)
+        {
+            nscd::Exchange alone;
+            const std::vector<double> reach(scene.grains.size(), 0.5*settings.skin*2*radius + 0.25*deltaT);
+            nscd::ContactList list = nscd::buildContactList(parts, nscd::WallSearch(scene.walls, 4*radius), reach, {}, 2*radius, alone);
+            nscd::updateGeometry(list, parts);
+            nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, Vec3::Zero(), deltaT), deltaT, nscd::IslandSleep());
+            nscd::prepareSlots(list, kernels, deltaT, settings.deadBand*2*radius, 1.0);
+            nscd::ContactProblem problem
+            {
+                list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, true, deltaT, 0.0, 2*radius, list.position
+            };
+            const double start = now();
+            report = nscd::solveBesideIsolated(problem, apart ? list.isolatedBlocks : 0, settings, nscd::solveNlgs);
+            best = std::min(best, now() - start);
+            candidates = list.candidates;
+        }
+        std::printf("pairs,%s,%zu,%zu,%zu,%zu,%d,%.4f\n", apart ? "isolated beside" : "all by sweeps", scene.grains.size(), candidates, report.contacts,
+                    report.isolated, report.sweeps, 1e3*best);
+    }
+}
+
+/// S30: a row for each tenth of the run.
+void rest(const char* file, int steps)
+{
+    const TiledBed tiles(file, 1, 1);
+    auto dynamics = tiles.part(0, tiles.size()).build(nscd::ContactSettings());
+    for (int k = 0; k < 1000; ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
+    measure("rest", "coming to rest", dynamics, Vec3(0, 0, -gravity), 100);
+    const nscd::Grains start = dynamics.grains();
+    for (int part = 1; part <= 10; ++part) measure("rest", ("part " + std::to_string(part)).c_str(), dynamics, Vec3(0, 0, -gravity), steps/10);
+    std::fprintf(stderr, "moved in all: %.2e d\n", largestMove(start, dynamics.grains()));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const std::string what = argc > 1 ? argv[1] : "";
+    const auto number = [=](int k, int otherwise) { return argc > k ? std::atoi(argv[k]) : otherwise; };
+    if (what == "pairs")
+    {
+        pairs(number(2, 46));
+        return 0;
+    }
+    if ((what == "still" || what == "rest") && argc < 3) return 1;
+    printHead();
+    if (what == "still") stillBed(argv[2]);
+    else if (what == "planar") planar(number(2, 100));
+    else if (what == "smooth") smooth(number(2, 22));
+    else if (what == "cloud") cloud(number(2, 100));
+    else if (what == "rest") rest(argv[2], number(3, 100000));
+    else return 1;
+}
