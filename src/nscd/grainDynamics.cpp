@@ -23,6 +23,20 @@ namespace
 constexpr double stepsPerList = 2.0;
 constexpr int maxListRebuilds = 6;
 
+void checkLength(const char* name, std::size_t length, std::size_t grains)
+{
+    if (length != 0 && length != grains) throw invalidValue(name, length, "an entry for each of the " + std::to_string(grains) + " grains, or none");
+}
+
+void checkForces(const ExternalForces& external, std::size_t grains)
+{
+    checkLength("number of forces", external.force.size(), grains);
+    checkLength("number of torques", external.torque.size(), grains);
+    checkLength("number of implicit drags", external.implicitDrag.size(), grains);
+    checkLength("number of implicit spin drags", external.implicitSpinDrag.size(), grains);
+    if (!(external.speedScale >= 0.0) || !std::isfinite(external.speedScale)) throw invalidValue("speed scale", external.speedScale, "a finite value >= 0 m/s");
+}
+
 } // namespace
 
 void GrainDynamics::Implementation::measureGrains()
@@ -193,6 +207,12 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
     report.overlapMean = overlap.mean/diameter;
 }
 
+void GrainDynamics::Implementation::checkReady(const ExternalForces& external) const
+{
+    if (isListStale) throw std::logic_error("a step of grains needs beginStep() first, also after setGrains(), checkpoint() and restore()");
+    checkForces(external, grains.size());
+}
+
 void GrainDynamics::Implementation::wakeDisturbed(const ExternalForces& external)
 {
     if (!sleep.any()) return;
@@ -233,6 +253,7 @@ bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->lis
 
 Prediction GrainDynamics::predict(const ExternalForces& external)
 {
+    self_->checkReady(external);
     self_->sleep.wakeAll();
     Prediction prediction;
     prediction.solve = self_->solveVelocities(external);
@@ -261,6 +282,7 @@ Prediction GrainDynamics::tryForces(const ExternalForces& external)
 StepReport GrainDynamics::advance(const ExternalForces& external)
 {
     Implementation& self = *self_;
+    self.checkReady(external);
     self.wakeDisturbed(external);
     if (self.sleep.isEverybodyAsleep())
     {

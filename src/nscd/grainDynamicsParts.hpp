@@ -67,6 +67,7 @@ struct GrainDynamics::Implementation
     double measureMotion(double speedScale) const;
     SolveReport solveOnce(const ExternalForces& external);
     SolveReport solveAndWake(const ExternalForces& external);
+    void checkReady(const ExternalForces& external) const;
     void wakeDisturbed(const ExternalForces& external);
     StepReport restingReport() const;
     void rebound(const ExternalForces& external, SolveReport& report);

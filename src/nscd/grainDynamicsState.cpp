@@ -5,6 +5,7 @@
 #include "grainDynamicsParts.hpp"
 
 #include "invalidValue.hpp"
+#include "sceneCheck.hpp"
 #include "sweepKernels.hpp"
 
 namespace nscd
@@ -18,6 +19,11 @@ GrainDynamics::GrainDynamics
 :
     self_(std::make_unique<Implementation>())
 {
+    checkWalls(walls, materials);
+    checkGrains(grains, materials, walls);
+    checkBox(box);
+    checkSettings(settings);
+    if (!exchange) throw invalidValue("exchange", "null", "an Exchange, or none given");
     self_->grains = std::move(grains);
     self_->grains.shrinkToFit();
     self_->materials = std::move(materials);
@@ -51,6 +57,7 @@ void GrainDynamics::setGrains(Grains grains)
 {
     double lastDeltaT;
     const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
+    checkGrains(grains, self_->materials, self_->walls);
     self_->grains = std::move(grains);
     self_->grains.shrinkToFit();
     self_->clearForces();

@@ -4,6 +4,7 @@
 // Reading a scene, one function per dictionary.
 #include "grainSources.hpp"
 #include "materialReader.hpp"
+#include "motionReader.hpp"
 #include "wallReader.hpp"
 
 #include "contactSolver.hpp"
@@ -114,6 +115,7 @@ SceneSettings parseScene(const std::string& text, const std::string& file)
     readPeriodic(top, scene);
     readWalls(top, scene);
     readSources(top, scene);
+    readDriven(top, scene);
     scene.contact = readContactSettings(top);
     top.finish();
     return scene;
