@@ -85,6 +85,7 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     for (const Vec3& v : velocity) sums[0] += v.squaredNorm();
     exchange->sum(sums, 2);
     const double commonSpeed = std::sqrt(sums[0]/std::max(1.0, sums[1]));
+    if (!std::isfinite(commonSpeed)) throw invalidValue("rms speed of grains", commonSpeed, "a finite value [m/s]");
     const double range = materials.cohesionRange();
     std::vector<double> reach(grains.size());
     for (std::size_t i = 0; i < grains.size(); ++i)

@@ -8,6 +8,8 @@
 #include "sceneCheck.hpp"
 #include "sweepKernels.hpp"
 
+#include <cmath>
+
 namespace nscd
 {
 
@@ -141,6 +143,12 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
 void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double lastDeltaT)
 {
     Implementation& self = *self_;
+    if (!(lastDeltaT >= 0.0) || !std::isfinite(lastDeltaT)) throw invalidValue("length of the last step", lastDeltaT, "a finite value >= 0 s");
+    for (const StoredImpulse& stored : impulses)
+    {
+        if (stored.impulse.allFinite() && stored.rolling.allFinite()) continue;
+        throw invalidValue("stored impulse of grain " + std::to_string(stored.idA), "not finite", "finite components [N s]");
+    }
     self.restored = byIndex(impulses, self.grains);
     self.impulseDeltaT = lastDeltaT;
     self.sleep.wakeAll();

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
 
 namespace nscdGrains
@@ -24,7 +25,7 @@ void keepRows(const std::string& path, const std::string& head, double upTo)
     if (!old) throw std::runtime_error("cannot read " + path + ", which a run that goes on adds to");
     std::string found, line;
     for (auto lines = std::count(head.begin(), head.end(), '\n'); lines > 0 && std::getline(old, line); --lines) found += line + '\n';
-    if (found != head) throw std::runtime_error(path + " has other columns than this run writes; move it away");
+    if (found != head) throw std::runtime_error(path + " has other columns than this run writes; move it away to begin another");
     nscd::CompleteFile kept(path);
     kept.stream() << head;
     while (std::getline(old, line) && std::strtod(line.c_str(), nullptr) <= upTo) kept.stream() << line << '\n';
@@ -38,9 +39,10 @@ CsvFile::CsvFile(const std::string& path, const std::string& head, bool goesOn, 
     path_(path)
 {
     errno = 0;
-    if (goesOn) keepRows(path, head, keepUpTo);
-    file_.open(path, goesOn ? std::ios::app : std::ios::trunc);
-    if (!goesOn) file_ << head << std::flush;
+    const bool isKept = goesOn && std::filesystem::exists(path);
+    if (isKept) keepRows(path, head, keepUpTo);
+    file_.open(path, isKept ? std::ios::app : std::ios::trunc);
+    if (!isKept) file_ << head << std::flush;
     if (!file_) nscd::failToWrite(path_);
 }
 

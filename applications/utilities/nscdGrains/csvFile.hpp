@@ -13,7 +13,7 @@ namespace nscdGrains
 class CsvFile
 {
 public:
-    /// Begins a file with `head`, whole lines; a run that goes on from `keepUpTo` [s] keeps the rows up to there.
+    /// Begins a file with `head`, whole lines; a run that goes on from `keepUpTo` [s] keeps the rows up to there, of a file that is there.
     /// Errors: std::runtime_error where it cannot be written, or where the file to go on with has another head
     CsvFile(const std::string& path, const std::string& head, bool goesOn, double keepUpTo);
 

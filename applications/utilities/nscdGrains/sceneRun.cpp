@@ -202,6 +202,8 @@ nscd::SceneState storedStart(const SceneSettings& scene, const ResultsFolder& re
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     checkPairs(scene, used);
+    checkPeriods(scene, state.grains);
+    for (Vec3& position : state.grains.position) position = scene.box.wrap(position);
     return state;
 }
 

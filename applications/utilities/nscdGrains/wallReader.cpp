@@ -165,6 +165,7 @@ void readWall(const CheckedEntries& list, const std::string& name, bool isPlane,
     const CheckedEntries given(list.sub(name));
     const auto isNamed = [&](const nscd::WallPatch& patch) { return patch.name == name; };
     if (std::any_of(scene.walls.patches.begin(), scene.walls.patches.end(), isNamed)) list.reject(name, "is the name of another wall");
+    if (name.find_first_of(",\"\n") != std::string::npos) list.reject(name, "is no name for a column of walls.csv", "a name without commas and quotes");
     const AddWall add = isPlane ? addPlane : readType(given).add;
     const bool mayInherit = !given.found("material") && scene.wallMaterial >= 0;
     const int material = mayInherit ? scene.wallMaterial : readMaterial(given, "material", scene.materials);

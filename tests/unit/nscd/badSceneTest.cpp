@@ -129,6 +129,8 @@ TEST(BadCalls, areRefusedInWords)
     nscd::Grains bad = scene.grains;
     bad.radius[0] = nan;
     EXPECT_NE(refusal([&] { dynamics.setGrains(bad); }).find("radius of grain 0"), std::string::npos);
+    EXPECT_NE(refusal([&] { dynamics.restore({{0, -1, Vec3(0, nan, 0)}}, 1e-3); }).find("stored impulse of grain 0"), std::string::npos);
+    for (double deltaT : {-1e-3, nan}) EXPECT_NE(refusal([&] { dynamics.restore({}, deltaT); }), "") << deltaT;
     EXPECT_TRUE(step(dynamics, scene.g, 1e-3).solve.converged);
 }
 
@@ -138,6 +140,21 @@ TEST(BadCalls, aSurfaceOfNoVelocityIsRefused)
     scene.walls.setSurfaceMotion(0, nscd::belt(Vec3(nan, 0, 0)));
     auto dynamics = scene.build();
     EXPECT_NE(refusal([&] { dynamics.beginStep(1e-3); }).find("surface motion of wall wall0"), std::string::npos);
+}
+
+TEST(BadCalls, whatOverflowsIsRefused)
+{
+    Scene scene = goodScene();
+    scene.grains.velocity[1] = Vec3(1e200, 0, 0);
+    auto fast = scene.build();
+    EXPECT_NE(refusal([&] { fast.beginStep(1e-3); }).find("rms speed of grains"), std::string::npos);
+
+    scene = goodScene();
+    scene.walls.setMotion(0, nscd::translationBy(nscd::integralOf([](double) { return Vec3(0, 0, 1e308); })));
+    auto dynamics = scene.build();
+    EXPECT_NE(refusal([&] { dynamics.beginStep(1e-3); dynamics.setTime(1e3); }).find("motion of wall wall0"), std::string::npos);
+    scene.walls.setMotion(0, nscd::translationBy(nscd::integralOf([](double) { return Vec3(0, 0, nan); })));
+    EXPECT_NE(refusal([&] { scene.build().beginStep(1e-3); }).find("motion of wall wall0"), std::string::npos);
 }
 
 TEST(SmallScenes, nothingAndOneGrainRun)

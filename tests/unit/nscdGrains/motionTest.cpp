@@ -197,3 +197,24 @@ TEST_F(Motions, goOnToTheBit)
     EXPECT_GT(std::abs(row[1]), 0);
     EXPECT_GT(std::abs(row[10]), 0);
 }
+
+TEST_F(Motions, goOnWithOtherWallsOnceTheirTableIsMovedAway)
+{
+    const std::string text = goodScene(), longer = changed(text, "endTime   0.09", "endTime   0.12");
+    const std::string other = changed(longer, "walls ", "planes { lid { point (0 0 0.2); normal (0 0 -1); } }\nwalls ");
+    run("scene", text);
+    const std::string before = result("scene", "walls.csv");
+    try
+    {
+        run("scene", other, true);
+        ADD_FAILURE() << "rows of other walls were appended";
+    }
+    catch (const std::runtime_error& error)
+    {
+        EXPECT_NE(std::string(error.what()).find("walls.csv has other columns"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(result("scene", "walls.csv"), before);
+    std::filesystem::remove(folder/"scene.out/walls.csv");
+    run("scene", other, true);
+    EXPECT_EQ(lastWallRow("scene").size(), 13u);
+}
