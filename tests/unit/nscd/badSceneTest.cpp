@@ -14,7 +14,7 @@ using namespace scenes;
 namespace
 {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
 
 Scene goodScene()
 {
@@ -51,9 +51,9 @@ using Settings = nscd::ContactSettings;
 
 const BadChange badChanges[] =
 {
-    {"nanPosition", [](Scene& s, Settings&) { s.grains.position[1][2] = nan; }, "position of grain 1"},
+    {"nanPosition", [](Scene& s, Settings&) { s.grains.position[1][2] = notANumber; }, "position of grain 1"},
     {"infiniteVelocity", [](Scene& s, Settings&) { s.grains.velocity[2][0] = infinity; }, "velocity of grain 2"},
-    {"nanSpin", [](Scene& s, Settings&) { s.grains.omega[0][0] = nan; }, "omega of grain 0"},
+    {"nanSpin", [](Scene& s, Settings&) { s.grains.omega[0][0] = notANumber; }, "omega of grain 0"},
     {"noOrientation", [](Scene& s, Settings&) { s.grains.orientation[0].coeffs().setZero(); }, "orientation of grain 0"},
     {"zeroRadius", [](Scene& s, Settings&) { s.grains.radius[0] = 0; }, "radius of grain 0 is 0"},
     {"negativeRadius", [](Scene& s, Settings&) { s.grains.radius[0] = -1; }, "radius of grain 0 is -1"},
@@ -67,13 +67,13 @@ const BadChange badChanges[] =
     {"emptyAxisOfNone", [](Scene& s, Settings&) { s.grains.shape.emptyAxis = 3; }, "empty axis is 3"},
     {"wallOfNoMaterial", [](Scene& s, Settings&) { s.walls.patches[0].material = -1; }, "material of wall wall0 is -1"},
     {"regionOfNoPatch", [](Scene& s, Settings&) { s.walls.regions[0].patch = 1; }, "patch of a wall region is 1"},
-    {"nanWall", [](Scene& s, Settings&) { s.walls.regions[0].point[0] = nan; }, "point of wall wall0"},
+    {"nanWall", [](Scene& s, Settings&) { s.walls.regions[0].point[0] = notANumber; }, "point of wall wall0"},
     {"longNormal", [](Scene& s, Settings&) { s.walls.regions[0].normal *= 2; }, "normal of wall wall0"},
     {"pairThatIsMissing", [](Scene& s, Settings&) { s.grains.material[0] = s.materials.add("new"); }, "pair of materials"},
     {"negativePeriod", [](Scene& s, Settings&) { s.box.length[1] = -1; }, "period [m] is -1"},
-    {"nanPeriod", [](Scene& s, Settings&) { s.box.length[1] = nan; }, "period [m]"},
+    {"nanPeriod", [](Scene& s, Settings&) { s.box.length[1] = notANumber; }, "period [m]"},
     {"zeroTolerance", [](Scene&, Settings& c) { c.tolerance = 0; }, "tolerance is 0"},
-    {"nanTolerance", [](Scene&, Settings& c) { c.displacementTolerance = nan; }, "displacementTolerance"},
+    {"nanTolerance", [](Scene&, Settings& c) { c.displacementTolerance = notANumber; }, "displacementTolerance"},
     {"noSweeps", [](Scene&, Settings& c) { c.maxSweeps = 0; }, "maxSweeps is 0"},
     {"negativePolish", [](Scene&, Settings& c) { c.polishSweeps = -1; }, "polishSweeps is -1"},
     {"negativeSkin", [](Scene&, Settings& c) { c.skin = -0.1; }, "skin is -0.1"},
@@ -104,13 +104,13 @@ TEST(BadCalls, areRefusedInWords)
     Scene scene = goodScene();
     nscd::Walls& walls = scene.walls;
     EXPECT_NE(refusal([&] { walls.addPlane(1, Vec3::Zero(), Vec3::UnitX()); }), "");
-    EXPECT_NE(refusal([&] { walls.addPlane(0, Vec3(nan, 0, 0), Vec3::UnitX()); }), "");
+    EXPECT_NE(refusal([&] { walls.addPlane(0, Vec3(notANumber, 0, 0), Vec3::UnitX()); }), "");
     EXPECT_NE(refusal([&] { walls.addPlane(0, Vec3::Zero(), Vec3(infinity, 0, 0)); }), "");
-    EXPECT_NE(refusal([&] { walls.addPolygon(0, {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(nan, 1, 0)}); }), "");
+    EXPECT_NE(refusal([&] { walls.addPolygon(0, {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(notANumber, 1, 0)}); }), "");
     EXPECT_NE(refusal([&] { nscd::GrainDynamics(scene.grains, scene.materials, walls, scene.box, Settings(), nullptr); }), "");
 
     auto dynamics = scene.build();
-    for (double deltaT : {0.0, -1e-3, nan, infinity}) EXPECT_NE(refusal([&] { dynamics.beginStep(deltaT); }), "") << deltaT;
+    for (double deltaT : {0.0, -1e-3, notANumber, infinity}) EXPECT_NE(refusal([&] { dynamics.beginStep(deltaT); }), "") << deltaT;
     EXPECT_THROW(dynamics.advance(weight(scene.grains, scene.g, 1e-3)), std::logic_error);
     EXPECT_THROW(dynamics.predict(weight(scene.grains, scene.g, 1e-3)), std::logic_error);
     dynamics.beginStep(1e-3);
@@ -121,23 +121,23 @@ TEST(BadCalls, areRefusedInWords)
     forces.implicitDrag = {1.0};
     EXPECT_NE(refusal([&] { dynamics.predict(forces); }).find("number of implicit drags is 1"), std::string::npos);
     forces = weight(scene.grains, scene.g, 1e-3);
-    forces.speedScale = nan;
+    forces.speedScale = notANumber;
     EXPECT_NE(refusal([&] { dynamics.advance(forces); }).find("speed scale"), std::string::npos);
     forces = weight(scene.grains, scene.g, 1e-3);
-    forces.force[1][0] = nan;
+    forces.force[1][0] = notANumber;
     EXPECT_NE(refusal([&] { dynamics.advance(forces); }).find("force on grain 1"), std::string::npos);
     nscd::Grains bad = scene.grains;
-    bad.radius[0] = nan;
+    bad.radius[0] = notANumber;
     EXPECT_NE(refusal([&] { dynamics.setGrains(bad); }).find("radius of grain 0"), std::string::npos);
-    EXPECT_NE(refusal([&] { dynamics.restore({{0, -1, Vec3(0, nan, 0)}}, 1e-3); }).find("stored impulse of grain 0"), std::string::npos);
-    for (double deltaT : {-1e-3, nan}) EXPECT_NE(refusal([&] { dynamics.restore({}, deltaT); }), "") << deltaT;
+    EXPECT_NE(refusal([&] { dynamics.restore({{0, -1, Vec3(0, notANumber, 0)}}, 1e-3); }).find("stored impulse of grain 0"), std::string::npos);
+    for (double deltaT : {-1e-3, notANumber}) EXPECT_NE(refusal([&] { dynamics.restore({}, deltaT); }), "") << deltaT;
     EXPECT_TRUE(step(dynamics, scene.g, 1e-3).solve.converged);
 }
 
 TEST(BadCalls, aSurfaceOfNoVelocityIsRefused)
 {
     Scene scene = goodScene();
-    scene.walls.setSurfaceMotion(0, nscd::belt(Vec3(nan, 0, 0)));
+    scene.walls.setSurfaceMotion(0, nscd::belt(Vec3(notANumber, 0, 0)));
     auto dynamics = scene.build();
     EXPECT_NE(refusal([&] { dynamics.beginStep(1e-3); }).find("surface motion of wall wall0"), std::string::npos);
 }
@@ -149,12 +149,12 @@ TEST(BadCalls, whatOverflowsIsRefused)
     auto fast = scene.build();
     EXPECT_NE(refusal([&] { fast.beginStep(1e-3); }).find("rms speed of grains"), std::string::npos);
 
-    scene = goodScene();
-    scene.walls.setMotion(0, nscd::translationBy(nscd::integralOf([](double) { return Vec3(0, 0, 1e308); })));
-    auto dynamics = scene.build();
-    EXPECT_NE(refusal([&] { dynamics.beginStep(1e-3); dynamics.setTime(1e3); }).find("motion of wall wall0"), std::string::npos);
-    scene.walls.setMotion(0, nscd::translationBy(nscd::integralOf([](double) { return Vec3(0, 0, nan); })));
-    EXPECT_NE(refusal([&] { scene.build().beginStep(1e-3); }).find("motion of wall wall0"), std::string::npos);
+    for (double speed : {1e308, notANumber})
+    {
+        scene = goodScene();
+        scene.walls.setMotion(0, nscd::translationBy(nscd::integralOf([=](double) { return Vec3(0, 0, speed); })));
+        EXPECT_NE(refusal([&] { scene.build().beginStep(1e-3); }).find("motion of wall wall0"), std::string::npos) << speed;
+    }
 }
 
 TEST(SmallScenes, nothingAndOneGrainRun)

@@ -54,7 +54,7 @@ const BadScene badMotions[] =
         {"keyword walls.p.motion.velocity has rows out of order"}),
     ofPlane("tableWithATimeTwice", "motion { type rotation; origin (0 0 0); axis (0 0 1); omega table ((0 1) (0 2)); }",
         {"keyword walls.p.motion.omega has rows out of order"}),
-    ofPlane("functionOfUnknownType", "motion { type translation; velocity { type sinus; } }",
+    ofPlane("functionOfUnknownType", "motion { type translation; velocity { type sin; } }",
         {"keyword walls.p.motion.velocity.type", "nearest: sine"}),
     ofPlane("sineWithoutLevel", "motion { type rotation; origin (0 0 0); axis (0 0 1); omega { type sine; frequency 1; amplitude 1; scale 1; } }",
         {"keyword walls.p.motion.omega.level is missing"}),

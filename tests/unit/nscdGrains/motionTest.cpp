@@ -168,7 +168,7 @@ TEST_F(Motions, drivenGrainsGoWhereTheirVelocityLeads)
     const nscd::SceneState state = nscd::readCheckpoint(folder/"driven.out/state/state.000000050");
     const double way = (1 - std::cos(2*M_PI*10*0.05))/(2*M_PI*10);
     EXPECT_NEAR((state.grains.position[0] - Vec3(way, 0, 0.005 + 2*way)).norm(), 0, 1e-9);
-    EXPECT_EQ(state.grains.omega[0], Vec3(0, 0, 7));
+    EXPECT_NEAR((state.grains.omega[0] - Vec3(0, 0, 7)).norm(), 0, 1e-13);
     EXPECT_EQ(state.grains.isFixed[0], 1);
 }
 
@@ -177,6 +177,7 @@ TEST_F(Motions, goOnToTheBit)
 {
     write("two.stl", twoFacets);
     std::string text = changed(goodScene(), "friction 0.3;", "friction 0.3; rollingFriction 0.05; spinningFriction 0.02; cohesion 1e-4;");
+    text = changed(text, "box (0 0 0) (0.06 0.06 0.2)", "box (0 0 -0.01) (0.06 0.06 0.2)");
     text = changed(text, "walls     { ",
         "walls     { paddle { type stl; file two.stl; scale 0.001; motion { type rotation; origin (0.03 0.03 0.1); axis (1 0 0);"
         " omega table ((0 2) (1 9)); } } ");
