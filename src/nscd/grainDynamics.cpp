@@ -22,6 +22,20 @@ namespace
 
 constexpr int maxListRebuilds = 6;
 
+void checkLength(const char* name, std::size_t length, std::size_t grains)
+{
+    if (length != 0 && length != grains) throw invalidValue(name, length, "an entry for each of the " + std::to_string(grains) + " grains, or none");
+}
+
+void checkForces(const ExternalForces& external, std::size_t grains)
+{
+    checkLength("number of forces", external.force.size(), grains);
+    checkLength("number of torques", external.torque.size(), grains);
+    checkLength("number of implicit drags", external.implicitDrag.size(), grains);
+    checkLength("number of implicit spin drags", external.implicitSpinDrag.size(), grains);
+    if (!(external.speedScale >= 0.0) || !std::isfinite(external.speedScale)) throw invalidValue("speed scale", external.speedScale, "a finite value >= 0 m/s");
+}
+
 } // namespace
 
 void GrainDynamics::Implementation::measureGrains()
@@ -70,6 +84,7 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     for (const Vec3& v : velocity) sums[0] += v.squaredNorm();
     exchange->sum(sums, 2);
     const double commonSpeed = std::sqrt(sums[0]/std::max(1.0, sums[1]));
+    if (!std::isfinite(commonSpeed)) throw invalidValue("rms speed of grains", commonSpeed, "a finite value [m/s]");
     const double range = materials.cohesionRange();
     std::vector<double> reach(grains.size());
     for (std::size_t i = 0; i < grains.size(); ++i)
@@ -190,6 +205,12 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
     report.overlapMean = overlap.mean/diameter;
 }
 
+void GrainDynamics::Implementation::checkReady(const ExternalForces& external) const
+{
+    if (isListStale) throw std::logic_error("a step of grains needs beginStep() first, also after setGrains(), checkpoint() and restore()");
+    checkForces(external, grains.size());
+}
+
 StepReport GrainDynamics::Implementation::restingReport() const
 {
     StepReport report = lastReport;
@@ -227,6 +248,7 @@ bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->lis
 
 Prediction GrainDynamics::predict(const ExternalForces& external)
 {
+    self_->checkReady(external);
     self_->sleep.wakeAll();
     if (!self_->isStepBegun) self_->beginAwakeStep(false);
     Prediction prediction;
@@ -256,6 +278,7 @@ Prediction GrainDynamics::tryForces(const ExternalForces& external)
 StepReport GrainDynamics::advance(const ExternalForces& external)
 {
     Implementation& self = *self_;
+    self.checkReady(external);
     self.sleep.wakeByForces(self.grains, external, self.deltaT);
     if (self.sleep.isEverybodyAsleep())
     {

@@ -76,6 +76,7 @@ struct GrainDynamics::Implementation
     SolveReport solveOnce(const ExternalForces& external);
     SolveReport solveAndWake(const ExternalForces& external);
     void beginAwakeStep(bool haveWallsJumped);
+    void checkReady(const ExternalForces& external) const;
     StepReport restingReport() const;
     void rebound(const ExternalForces& external, SolveReport& report);
     void correctPositions(StepReport& report);

@@ -5,9 +5,11 @@
 #include "grainDynamicsParts.hpp"
 
 #include "invalidValue.hpp"
+#include "sceneCheck.hpp"
 #include "sweepKernels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nscd
 {
@@ -45,6 +47,11 @@ GrainDynamics::GrainDynamics
 :
     self_(std::make_unique<Implementation>())
 {
+    checkWalls(walls, materials);
+    checkGrains(grains, materials, walls);
+    checkBox(box);
+    checkSettings(settings);
+    if (!exchange) throw invalidValue("exchange", "null", "an Exchange, or none given");
     self_->grains = std::move(grains);
     self_->grains.shrinkToFit();
     self_->materials = std::move(materials);
@@ -79,6 +86,7 @@ void GrainDynamics::setGrains(Grains grains)
 {
     double lastDeltaT;
     const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
+    checkGrains(grains, self_->materials, self_->walls);
     self_->grains = std::move(grains);
     self_->grains.shrinkToFit();
     self_->clearForces();
@@ -163,6 +171,12 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
 void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double lastDeltaT)
 {
     Implementation& self = *self_;
+    if (!(lastDeltaT >= 0.0) || !std::isfinite(lastDeltaT)) throw invalidValue("length of the last step", lastDeltaT, "a finite value >= 0 s");
+    for (const StoredImpulse& stored : impulses)
+    {
+        if (stored.impulse.allFinite() && stored.rolling.allFinite()) continue;
+        throw invalidValue("stored impulse of grain " + std::to_string(stored.idA), "not finite", "finite components [N s]");
+    }
     self.restored = byIndex(impulses, self.grains);
     self.impulseDeltaT = lastDeltaT;
     self.sleep.wakeAll();

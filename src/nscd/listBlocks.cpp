@@ -35,8 +35,10 @@ RollingSlot rollingSlot(const ContactList& list, const Candidate& candidate, con
     RollingSlot slot;
     slot.rolling = pair.rollingFriction;
     slot.spinning = pair.spinningFriction;
+    slot.shareA = slot.shareB = 1.0;
+    if (candidate.wall >= 0) return slot;
     const double radiusA = list.radius[candidate.a];
-    slot.shareB = candidate.wall >= 0 ? 0.0 : radiusA/(radiusA + list.radius[candidate.b]);
+    slot.shareB = radiusA/(radiusA + list.radius[candidate.b]);
     slot.shareA = 1.0 - slot.shareB;
     return slot;
 }

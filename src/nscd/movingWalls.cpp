@@ -18,6 +18,14 @@ namespace
 constexpr double margin = 0.2;
 constexpr double stepsPerList = 2.0;
 
+/// Mean over a step that turns by less than half a turn [rad/s].
+Vec3 angularVelocity(const WallPose& now, const WallPose& next, double deltaT)
+{
+    if (next.linear() == now.linear()) return Vec3::Zero();
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(next.linear()*now.linear().transpose()));
+    return turn.angle()/deltaT*turn.axis();
+}
+
 } // namespace
 
 void MovingWalls::setTime(double time)
@@ -25,8 +33,12 @@ void MovingWalls::setTime(double time)
     if (!std::isfinite(time)) throw invalidValue("time of the walls", time, "a finite value [s]");
     if (time == time_ && next_.size() == walls_.patches.size()) return;
     time_ = time;
-    moveWalls(walls_, time);
-    haveJumped_ = walls_.anyMotion();
+    for (WallPatch& patch : walls_.patches)
+    {
+        const WallPose before = patch.pose;
+        patch.pose = poseAt(patch, time);
+        if (patch.pose.matrix() != before.matrix()) haveJumped_ = true;
+    }
     next_.resize(walls_.patches.size(), WallPose::Identity());
     surface_.resize(walls_.patches.size());
 }
@@ -38,7 +50,10 @@ bool MovingWalls::beginStep(double deltaT)
     {
         const WallPatch& patch = walls_.patches[k];
         if (patch.motion) next_[k] = poseAt(patch, time_ + deltaT);
-        if (patch.surfaceMotion) surface_[k] = patch.surfaceMotion(time_ + 0.5*deltaT);
+        if (!patch.surfaceMotion) continue;
+        surface_[k] = patch.surfaceMotion(time_ + 0.5*deltaT);
+        if (surface_[k].velocity.allFinite() && surface_[k].omega.allFinite() && surface_[k].point.allFinite()) continue;
+        throw invalidValue("surface motion of wall " + patch.name + " at time " + std::to_string(time_), "not finite", "finite velocities");
     }
     const bool haveJumped = haveJumped_;
     haveJumped_ = false;
@@ -75,21 +90,41 @@ Vec3 MovingWalls::velocity(int k, const Vec3& point, const Vec3& normal) const
     return v + surface - normal.dot(surface)*normal;
 }
 
+Vec3 MovingWalls::spin(int k, int emptyAxis) const
+{
+    const WallPatch& patch = walls_.patches[k];
+    Vec3 omega = patch.motion ? angularVelocity(patch.pose, next_[k], deltaT_) : Vec3(Vec3::Zero());
+    if (patch.surfaceMotion) omega += surface_[k].omega;
+    return emptyAxis >= 0 ? Vec3(omega[emptyAxis]*Vec3::Unit(emptyAxis)) : omega;
+}
+
+std::vector<Vec3> MovingWalls::spins(int emptyAxis) const
+{
+    std::vector<Vec3> spins;
+    for (std::size_t k = 0; k < walls_.patches.size(); ++k) spins.push_back(spin(static_cast<int>(k), emptyAxis));
+    return spins;
+}
+
 void MovingWalls::setVelocities(ContactList& list, int emptyAxis) const
 {
+    const std::vector<Vec3> omega = list.rolling.empty() ? std::vector<Vec3>() : spins(emptyAxis);
     for (std::size_t k = 0; k < list.movingSlots.size(); ++k)
     {
         const std::size_t slot = list.movingSlots[k];
-        const double distance = list.radius[list.blocks[slot/blockLanes].a[slot % blockLanes]] + list.gap[slot];
-        Vec3 v = Vec3::Zero();
+        const int grain = list.blocks[slot/blockLanes].a[slot % blockLanes], patch = walls_.regions[list.wall[slot]].patch;
+        const double distance = list.radius[grain] + list.gap[slot];
+        Vec3 v = Vec3::Zero(), s = Vec3::Zero();
         if (distance < std::numeric_limits<double>::max())
         {
             const Vec3 n = normal(list, slot);
-            const Vec3 point = list.position[list.blocks[slot/blockLanes].a[slot % blockLanes]] - distance*n;
-            v = velocity(walls_.regions[list.wall[slot]].patch, point, n);
+            v = velocity(patch, list.position[grain] - distance*n, n);
             if (emptyAxis >= 0) v[emptyAxis] = 0.0;
+            if (!omega.empty()) s = list.radius[grain]*omega[patch];
+            v -= s.cross(n);
         }
-        Eigen::Map<Vec3>(list.bodies[list.firstWallBody() + k].v) = v;
+        Body& body = list.bodies[list.firstWallBody() + k];
+        Eigen::Map<Vec3>(body.v) = v;
+        Eigen::Map<Vec3>(body.s) = s;
     }
 }
 

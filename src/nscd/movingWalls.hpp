@@ -31,7 +31,8 @@ public:
     /// Whether any wall moves in the step begun, or drags grains along.
     bool isAnyMoving() const;
 
-    /// Sets the velocities of the list's bodies at walls, none along `emptyAxis` if that is not -1.
+    /// Sets the velocities of the list's bodies at walls, none along `emptyAxis` if that is not -1. For rolling friction such a body is
+    /// as large as the grain and turns with the wall, in 2D about the empty axis alone; its surface has the wall's velocity.
     void setVelocities(ContactList& list, int emptyAxis) const;
 
     /// How far each patch may go before a list made now is stale: this step and another, and a margin.
@@ -44,6 +45,8 @@ public:
 
 private:
     Vec3 velocity(int patch, const Vec3& point, const Vec3& normal) const;
+    Vec3 spin(int patch, int emptyAxis) const;
+    std::vector<Vec3> spins(int emptyAxis) const;   ///< per patch
 
     Walls& walls_;
     double time_ = 0.0;

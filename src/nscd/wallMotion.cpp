@@ -37,7 +37,8 @@ Value integrate(const Function& f, double from, double step, const Value& a, con
     const Value fine = halves[0] + halves[1];
     // Relative to the part too: no part can be better than its round-off.
     const double scale = std::abs(step)*(size(a) + size(left) + size(middle) + size(right) + size(b));
-    if (halvings == 0 || size(Value(fine - coarse)) <= std::max(tolerance, accuracy*scale)) return fine;
+    // Not for what is no number either, which halves for ever.
+    if (halvings == 0 || !(size(Value(fine - coarse)) > std::max(tolerance, accuracy*scale))) return fine;
     return integrate<Value>(f, from, 0.5*step, a, left, middle, tolerance, halvings - 1)
          + integrate<Value>(f, from + 0.5*step, 0.5*step, middle, right, b, tolerance, halvings - 1);
 }

@@ -51,6 +51,11 @@ bool isSliver(const Triangle& t)
     return !((t[1] - t[0]).cross(t[2] - t[0]).norm() > 1e-12*longest2);
 }
 
+void checkPatch(const Walls& walls, int patch)
+{
+    if (patch < 0 || patch >= static_cast<int>(walls.patches.size())) throw invalidValue("wall patch", patch, "an index of addPatch()");
+}
+
 } // namespace
 
 int Walls::addPatch(const std::string& name, int material)
@@ -61,12 +66,15 @@ int Walls::addPatch(const std::string& name, int material)
 
 void Walls::addPlane(int patch, const Vec3& point, const Vec3& normal, WallSides sides)
 {
-    if (!(normal.norm() > 0.0)) throw invalidValue("wall normal", normal.transpose(), "a vector that is not zero");
+    checkPatch(*this, patch);
+    if (!point.allFinite()) throw invalidValue("point of a wall", point.transpose(), "finite coordinates [m]");
+    if (!(normal.norm() > 0.0) || !normal.allFinite()) throw invalidValue("wall normal", normal.transpose(), "a finite vector that is not zero");
     regions.push_back({point, normal.normalized(), {}, patch, sides == WallSides::both});
 }
 
 void Walls::addPolygon(int patch, const std::vector<Vec3>& vertices)
 {
+    checkPatch(*this, patch);
     if (vertices.size() < 3) throw invalidValue("wall polygon's number of vertices", vertices.size(), ">= 3");
     Vec3 areaVector = Vec3::Zero();
     std::vector<WallEdge> edges;
@@ -76,12 +84,13 @@ void Walls::addPolygon(int patch, const std::vector<Vec3>& vertices)
         areaVector += 0.5*(vertices[k] - vertices[0]).cross(next - vertices[0]);
         edges.push_back({vertices[k], next});
     }
-    if (!(areaVector.norm() > 0.0)) throw invalidValue("wall polygon's area", areaVector.norm(), "> 0 m2");
+    if (!(areaVector.norm() > 0.0) || !areaVector.allFinite()) throw invalidValue("wall polygon's area", areaVector.norm(), "> 0 m2");
     regions.push_back({vertices[0], areaVector.normalized(), edges, patch, false});
 }
 
 std::size_t Walls::addTriangles(int patch, const std::vector<Triangle>& triangles, WallSides sides)
 {
+    checkPatch(*this, patch);
     std::size_t leftOut = 0;
     regions.reserve(regions.size() + triangles.size());
     for (const Triangle& t : triangles)

@@ -4,52 +4,29 @@
 
 Beds that are missing in build/beds are settled first, some minutes each."""
 
-import csv
-import subprocess
+from coreRun import bed, rows, tableOf
+from results import pyplot, savePicture
 
-from results import ROOT, Table, pyplot, savePicture
-
-PROGRAM = ROOT/"build/core/benchmark/coldSolve"
-BEDS = ROOT/"build/beds"
 # grains per side, layers; the first three have one shape.
 SHAPES = ((10, 12), (13, 16), (20, 25), (10, 25), (10, 50), (10, 100))
 DEPTHS = (25, 50, 100)
 # And the number of solves of each, over which sweeps are averaged: they scatter by a third.
 SOLVERS = {"NLGS": 10, "plain": 10, "NNCG": 10, "APG": 3, "queue": 3}
-SETTLING = 2000     # steps
 MAX_SWEEPS = 3000
 HISTORY = (20, 25)
 
 
-def bed(perSide, layers):
-    path = BEDS/("bed%dx%d.dat" % (perSide, layers))
-    if not path.exists():
-        BEDS.mkdir(parents=True, exist_ok=True)
-        subprocess.run([PROGRAM, "settle", path, str(perSide), str(layers), str(SETTLING)], check=True)
-    return path
-
-
-def rows(what, *arguments):
-    output = subprocess.run([PROGRAM, what, *map(str, arguments)], check=True, stdout=subprocess.PIPE, text=True).stdout
-    return list(csv.DictReader(output.splitlines()))
-
-
 def main():
-    names = ("tolerance", "samples", "converged", "sweeps", "work", "residualRms", "residualMax", "baseForce")
-    table = Table("coldSolve", ["perSide", "layers", "solver", *names])
-    for perSide, layers in SHAPES:
-        for solver, samples in SOLVERS.items():
-            for row in rows("sweeps", bed(perSide, layers), samples, MAX_SWEEPS, solver):
-                table.add(perSide, layers, solver, *(float(row[name]) for name in names))
-    table.save()
-    draw(table)
+    measured = (({"perSide": perSide, "layers": layers}, rows("coldSolve", "sweeps", bed(perSide, layers), samples, MAX_SWEEPS, solver))
+                for perSide, layers in SHAPES for solver, samples in SOLVERS.items())
+    draw(tableOf("coldSolve", measured))
 
 
 def draw(table):
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4))
     for solver in SOLVERS:
-        history = rows("history", bed(*HISTORY), 1000, solver)
-        left.loglog([float(row["work"]) for row in history], [float(row["residualRms"]) for row in history], label=solver)
+        history = rows("coldSolve", "history", bed(*HISTORY), 1000, solver)
+        left.loglog([row["work"] for row in history], [row["residualRms"] for row in history], label=solver)
         sweeps = [table.column("sweeps", perSide=10, layers=layers, solver=solver, tolerance=1e-2)[0] for layers in DEPTHS]
         right.loglog(DEPTHS, sweeps, "o-", label=solver)
     left.set(xlabel="work, in plain sweeps", ylabel="residual rms / vs", title="bed of %d x %d x %d" % (HISTORY[0], *HISTORY))

@@ -11,13 +11,11 @@ import re
 import shutil
 import sys
 import time
-from pathlib import Path
 
 from foamFiles import readNumbers, setEntry
 from rankedRun import said, setParts
+from results import BUILD, ROOT, Table, pyplot, savePicture
 
-ROOT = Path(__file__).resolve().parents[2]
-BUILD = ROOT/"build/benchmark"
 BED = BUILD/"bed20x25.dat"
 RANKED_BED = ROOT/"build/core/benchmark/rankedBed"
 TUTORIAL = ROOT/"tutorials/coupled/fluidizedBed"
@@ -104,17 +102,19 @@ def main():
     if not set(names) <= set(kinds):
         raise SystemExit(__doc__)
     (BUILD/"cases").mkdir(parents=True, exist_ok=True)
-    with open(BUILD/"ranks.csv", "w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(["scene", "ranks", "secondsPerStep", "sweepsPerStep"])
-        for name in names:
-            seconds = {ranks: [] for ranks in RANKS}
-            for row in kinds[name]():
-                writer.writerow(row)
-                print("%s, %d ranks: %.4g s a step, %.3g sweeps" % row, flush=True)
-                seconds[row[1]].append(row[2])
-            pairs = [one/two for one, two in zip(seconds[1], seconds[2])]
-            print("%s: two ranks are %s times as fast" % (name, ", ".join("%.2f" % pair for pair in pairs)))
+    table = Table("ranks", ["scene", "ranks", "secondsPerStep", "sweepsPerStep"])
+    figure, axes = pyplot.subplots(figsize=(5, 4))
+    for name in names:
+        for row in kinds[name]():
+            table.add(*row)
+        seconds = {ranks: table.column("secondsPerStep", scene=name, ranks=ranks) for ranks in RANKS}
+        pairs = [one/two for one, two in zip(seconds[1], seconds[2])]
+        print("%s: two ranks are %s times as fast" % (name, ", ".join("%.2f" % pair for pair in pairs)))
+        axes.plot(table.column("ranks", scene=name), table.column("secondsPerStep", scene=name), "o", label=name)
+    table.save()
+    axes.set(xlabel="ranks", ylabel="s a step", ylim=(0, None), xticks=RANKS)
+    axes.legend()
+    savePicture(figure, "ranks")
 
 
 main()

@@ -113,10 +113,10 @@ TEST(GrainProperties, optionalLawsAndDrivenGrains)
     EXPECT_EQ(p.materials.table.pair(1, 0).cohesion, 1e-4);
     EXPECT_EQ(p.materials.table.pair(1, 0).cohesionRange, 1e-5);
     ASSERT_EQ(p.driven.size(), 2u);
-    EXPECT_EQ(p.driven[0].ids, (std::set<std::int64_t>{0, 7}));
-    EXPECT_NEAR(p.driven[0].velocity->value(0.25).z(), 0.5, 1e-15);
-    EXPECT_EQ(p.driven[0].omega, nullptr);
-    EXPECT_EQ(p.driven[1].omega->value(3), vector(0, 5, 0));
+    EXPECT_EQ(p.driven[0].grains.ids, (std::vector<std::int64_t>{0, 7}));
+    EXPECT_NEAR(p.driven[0].grains.velocity(0.25).z(), 0.5, 1e-15);
+    EXPECT_EQ(p.driven[0].grains.omega, nullptr);
+    EXPECT_EQ(p.driven[1].grains.omega(3), nscd::Vec3(0, 5, 0));
 }
 
 TEST(GrainProperties, dimensionsMayBeGivenAndAreConverted)

@@ -86,12 +86,18 @@ void CheckedEntries::failMissing(const std::string& keyword, const std::string& 
     fail({place(nearest), "is not a keyword here, and " + keyword + " is missing", nearest, allowed, {keyword}});
 }
 
-const std::vector<Token>& CheckedEntries::value(const std::string& keyword) const
+bool CheckedEntries::isDictionary(const std::string& keyword) const
 {
-    if (!found(keyword)) failMissing(keyword, keyword + " value;");
+    const Entry* entry = dict_.find(keyword);
+    return entry && entry->dict;
+}
+
+const std::vector<Token>& CheckedEntries::tokens(const std::string& keyword, const std::string& allowed) const
+{
+    if (!found(keyword)) failMissing(keyword, allowed);
     const Entry& entry = *dict_.find(keyword);
-    if (entry.dict) reject(keyword, "is a dictionary where a value belongs", keyword + " value;");
-    if (entry.value.empty()) reject(keyword, "has no value", keyword + " value;");
+    if (entry.dict) reject(keyword, "is a dictionary where a value belongs", allowed);
+    if (entry.value.empty()) reject(keyword, "has no value", allowed);
     return entry.value;
 }
 
@@ -115,14 +121,18 @@ double CheckedEntries::number(const std::string& keyword, const Range& range, do
     return found(keyword) ? number(keyword, range) : defaultValue;
 }
 
-long CheckedEntries::integer(const std::string& keyword, long lower) const
+long CheckedEntries::toInteger(const std::string& keyword, double number, long lower) const
 {
-    const double number = this->number(keyword, atLeast(static_cast<double>(lower)));
     if (std::floor(number) != number || number > std::numeric_limits<int>::max())
     {
         reject(keyword, "is not a whole number", "a whole number >= " + std::to_string(lower));
     }
     return static_cast<long>(number);
+}
+
+long CheckedEntries::integer(const std::string& keyword, long lower) const
+{
+    return toInteger(keyword, number(keyword, atLeast(static_cast<double>(lower))), lower);
 }
 
 long CheckedEntries::integer(const std::string& keyword, long lower, long defaultValue) const
@@ -206,6 +216,19 @@ Words CheckedEntries::choices(const std::string& keyword, const Words& allowed, 
         given.push_back(tokens[k].text);
     }
     return given;
+}
+
+std::vector<long> CheckedEntries::integers(const std::string& keyword, long lower) const
+{
+    const std::string allowed = "whole numbers >= " + std::to_string(lower) + " in brackets, as (1 2 3)";
+    const std::vector<Token>& given = tokens(keyword, allowed);
+    if (given.size() < 3 || !given[0].isMark('(') || !given.back().isMark(')')) reject(keyword, "is not a list of numbers", allowed);
+    std::vector<long> numbers;
+    for (std::size_t k = 1; k + 1 < given.size(); ++k)
+    {
+        numbers.push_back(toInteger(keyword, toNumber(keyword, given[k], atLeast(static_cast<double>(lower))), lower));
+    }
+    return numbers;
 }
 
 std::string CheckedEntries::text(const std::string& keyword) const

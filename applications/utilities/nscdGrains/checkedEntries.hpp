@@ -66,9 +66,18 @@ public:
     std::string choice(const std::string& keyword, const Words& allowed, const std::string& defaultValue) const;
     /// (word word ...), each one of those allowed.
     Words choices(const std::string& keyword, const Words& allowed, const Words& defaultValue) const;
+    /// (i j ...): whole numbers, at least one.
+    std::vector<long> integers(const std::string& keyword, long lower) const;
     /// A word or a quoted string.
     std::string text(const std::string& keyword) const;
     std::string text(const std::string& keyword, const std::string& defaultValue) const;
+
+    bool isDictionary(const std::string& keyword) const;
+    /// A value as it is written, for values of more than one form; at least one token.
+    const std::vector<Token>& tokens(const std::string& keyword, const std::string& allowed) const;
+    double toNumber(const std::string& keyword, const Token& token, const Range& range) const;
+    /// (x y z) from a token on.
+    Vec3 toVec(const std::string& keyword, const std::vector<Token>& tokens, std::size_t first) const;
 
     const Dictionary& sub(const std::string& keyword) const;
     /// An empty one where it is missing.
@@ -84,9 +93,8 @@ public:
 private:
     /// Refuses a dictionary that lacks a keyword, and names the one that may be it, misspelt.
     [[noreturn]] void failMissing(const std::string& keyword, const std::string& allowed) const;
-    const std::vector<Token>& value(const std::string& keyword) const;
-    double toNumber(const std::string& keyword, const Token& token, const Range& range) const;
-    Vec3 toVec(const std::string& keyword, const std::vector<Token>& tokens, std::size_t first) const;
+    const std::vector<Token>& value(const std::string& keyword) const { return tokens(keyword, keyword + " value;"); }
+    long toInteger(const std::string& keyword, double number, long lower) const;
 
     const Dictionary& dict_;
     mutable Words declared_;

@@ -100,9 +100,12 @@ std::string describe(const nscd::Overlap& overlap, const nscd::Grains& grains, c
     return textOf("grains ", id, " and ", other, " overlap by ", overlap.share, at);
 }
 
+} // namespace
+
 void checkPeriods(const SceneSettings& scene, const nscd::Grains& grains)
 {
-    const double diameter = 2*(*std::max_element(grains.radius.begin(), grains.radius.end()));
+    double diameter = 0.0;
+    for (const double radius : grains.radius) diameter = std::max(diameter, 2*radius);
     for (int k = 0; k < 3; ++k)
     {
         if (!scene.box.isPeriodic(k) || scene.box.length[k] > diameter) continue;
@@ -110,6 +113,9 @@ void checkPeriods(const SceneSettings& scene, const nscd::Grains& grains)
         fail({scene.periodicPlace, "makes a period shorter than a grain", value, textOf("more than the largest diameter, ", diameter), {}});
     }
 }
+
+namespace
+{
 
 void checkOverlaps(const SceneSettings& scene, const nscd::Grains& grains)
 {

@@ -16,6 +16,9 @@ void readSources(const CheckedEntries& top, SceneSettings& scene);
 /// Errors: SceneError for files that are missing or wrong, with their line
 nscd::Grains placeGrains(const SceneSettings& scene);
 
+/// Refuses periods that are shorter than a grain.
+void checkPeriods(const SceneSettings& scene, const nscd::Grains& grains);
+
 /// Refuses what no run can start from: pairs of materials without coefficients, periods that are too short, overlaps.
 void checkGrains(const SceneSettings& scene, const nscd::Grains& grains);
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <new>
 
 namespace
 {
@@ -36,6 +37,11 @@ int main(int argc, char* argv[])
         nscdGrains::runScene(nscdGrains::readOptions(argc - 1, argv + 1), std::cout);
         std::cout << "\nEnd" << std::endl;
         return 0;
+    }
+    catch (const std::bad_alloc&)
+    {
+        std::cerr << "nscdGrains: the memory of this machine does not hold the scene (about 1.6 GB for a million grains)" << std::endl;
+        return 1;
     }
     catch (const std::exception& error)
     {

@@ -76,7 +76,10 @@ std::vector<std::string> ResultsFolder::filesOf(const std::string& kind) const
 bool ResultsFolder::hasResults() const
 {
     std::error_code error;
-    if (fs::exists(report(), error) || fs::exists(grainSeries(), error) || fs::exists(contactSeries(), error)) return true;
+    for (const std::string& file : {report(), walls(), grainSeries(), contactSeries()})
+    {
+        if (fs::exists(file, error)) return true;
+    }
     return std::any_of(std::begin(kinds), std::end(kinds), [this](const char* kind) { return !filesOf(kind).empty(); });
 }
 
@@ -103,7 +106,7 @@ void ResultsFolder::clear() const
     {
         for (const std::string& name : filesOf(kind)) remove(full(name));
     }
-    for (const std::string& file : {report(), grainSeries(), contactSeries()}) remove(file);
+    for (const std::string& file : {report(), walls(), grainSeries(), contactSeries()}) remove(file);
 }
 
 void ResultsFolder::purgeStates(std::size_t kept) const

@@ -18,6 +18,7 @@ public:
 
     const std::string& path() const { return path_; }
     std::string report() const { return path_ + "/report.csv"; }
+    std::string walls() const { return path_ + "/walls.csv"; }
     std::string grainSeries() const { return path_ + "/grains.pvd"; }
     std::string contactSeries() const { return path_ + "/contacts.pvd"; }
     /// Relative to the folder, as a series names it.

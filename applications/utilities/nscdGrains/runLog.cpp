@@ -48,6 +48,23 @@ std::string describeWalls(const nscd::Walls& walls)
     return names.empty() ? "none" : formatted("%s, %zu flat regions", names.c_str(), walls.regions.size());
 }
 
+/// What moves by itself, and notes of reading; nothing in most scenes.
+std::string movingText(const SceneSettings& scene)
+{
+    std::string moving;
+    for (const nscd::WallPatch& patch : scene.walls.patches)
+    {
+        if (patch.hasVelocity()) moving += " " + patch.name + (patch.motion ? "" : " (belt)");
+    }
+    std::size_t driven = 0;
+    for (const DrivenGroup& group : scene.driven) driven += group.grains.ids.size();
+    std::string text;
+    if (!moving.empty()) text += "  moving   " + moving + "\n";
+    if (driven > 0) text += formatted("  driven    %zu grains\n", driven);
+    for (const std::string& note : scene.notes) text += "  " + note + "\n";
+    return text;
+}
+
 std::string describePeriods(const nscd::PeriodicBox& box)
 {
     std::string text;
@@ -74,6 +91,7 @@ void RunLog::scene(const SceneSettings& scene, const nscd::Grains& grains, const
     os_ << "Scene " << scene.file << '\n'
         << "  grains    " << describeGrains(grains) << '\n'
         << "  walls     " << describeWalls(scene.walls) << '\n'
+        << movingText(scene)
         << "  periodic  " << describePeriods(scene.box) << '\n'
         << formatted("  contacts  %s, tolerance %.3g, at most %d sweeps\n", contact.solver.c_str(), contact.tolerance, contact.maxSweeps)
         << "  work      " << nscd::describeWork(scene.materials.table, scene.shape, contact) << '\n'

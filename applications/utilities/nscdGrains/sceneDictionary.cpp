@@ -181,21 +181,24 @@ std::string Dictionary::pathOf(const std::string& keyword) const
     return place.keyword.empty() ? keyword : place.keyword + "." + keyword;
 }
 
-std::string readText(const std::string& path, const Place& place)
+void checkIsFile(const std::string& path, const Place& place)
 {
     namespace fs = std::filesystem;
     std::error_code error;
-    if (!fs::is_regular_file(path, error))
+    if (fs::is_regular_file(path, error)) return;
+    Words beside;
+    const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
     {
-        Words beside;
-        const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
-        for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        {
-            if (entry.is_regular_file(error)) beside.push_back(entry.path().filename());
-        }
-        std::sort(beside.begin(), beside.end());
-        fail({place, "names a file that does not exist, " + path, fs::path(path).filename(), "a file that can be read", beside});
+        if (entry.is_regular_file(error)) beside.push_back(entry.path().filename());
     }
+    std::sort(beside.begin(), beside.end());
+    fail({place, "names a file that does not exist, " + path, fs::path(path).filename(), "a file that can be read", beside});
+}
+
+std::string readText(const std::string& path, const Place& place)
+{
+    checkIsFile(path, place);
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     std::string text(file ? static_cast<std::size_t>(file.tellg()) : 0, ' ');
     file.seekg(0);

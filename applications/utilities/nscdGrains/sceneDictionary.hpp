@@ -43,6 +43,10 @@ struct Dictionary
     std::string pathOf(const std::string& keyword) const;
 };
 
+/// Refuses a path that leads to no file, and names the one beside it that may be meant.
+/// Errors: SceneError with `place` as where the file was asked for
+void checkIsFile(const std::string& path, const Place& place);
+
 /// The text of a file.
 /// Errors: SceneError where it cannot be read, with `place` as where it was asked for
 std::string readText(const std::string& path, const Place& place);

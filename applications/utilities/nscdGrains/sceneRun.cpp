@@ -6,9 +6,11 @@
 
 #include "grainSources.hpp"
 #include "materialReader.hpp"
+#include "motionReader.hpp"
 #include "resultsFolder.hpp"
 #include "runLog.hpp"
 #include "vtkFiles.hpp"
+#include "wallTable.hpp"
 
 #include "nearestWord.hpp"
 #include "sceneCheckpoint.hpp"
@@ -52,9 +54,11 @@ public:
     {
         log_.scene(scene, start.grains, results);
         dynamics_ = std::make_unique<nscd::GrainDynamics>(std::move(start.grains), scene.materials.table, scene.walls, scene.box, scene.contact);
+        dynamics_->setTime(time_);
         if (goesOn) dynamics_->restore(start.impulses, start.lastDeltaT);
         const nscd::Stopwatch watch(output_);
         table_ = std::make_unique<StepTable>(results.report(), goesOn, time_);
+        if (!scene.walls.patches.empty()) wallTable_ = std::make_unique<WallTable>(results.walls(), scene.walls, goesOn, time_);
         if (goesOn)
         {
             grainSeries_.readUpTo(time_);
@@ -76,15 +80,18 @@ private:
     void advance()
     {
         const double deltaT = scene_.run.deltaT;
+        const double next = nextTime(time_, deltaT);
+        dynamics_->setTime(time_);
+        for (const DrivenGroup& group : scene_.driven) nscd::drive(group.grains, *dynamics_, time_, next);
         dynamics_->beginStep(deltaT);
         const nscd::StepReport report = dynamics_->advance(forces_);
-        const double next = nextTime(time_, deltaT);
         const bool isWritten = isWriteTime(next);
         time_ = next;
         ++step_;
         const nscd::Stopwatch watch(output_);
         const StepRow row = rowOf(report);
         table_->write(row);
+        if (wallTable_) wallTable_->write(time_, *dynamics_);
         if (isWritten) write();
         log_.step(row, step_, isWritten);
     }
@@ -140,12 +147,14 @@ private:
     TimeSeries contactSeries_;
     std::unique_ptr<nscd::GrainDynamics> dynamics_;
     std::unique_ptr<StepTable> table_;
+    std::unique_ptr<WallTable> wallTable_;   // where there are walls
 };
 
 nscd::SceneState newStart(const SceneSettings& scene)
 {
     nscd::SceneState state;
     state.grains = placeGrains(scene);
+    holdDriven(scene, state.grains);
     checkGrains(scene, state.grains);
     return state;
 }
@@ -188,10 +197,13 @@ nscd::SceneState storedStart(const SceneSettings& scene, const ResultsFolder& re
         fail({{scene.file, 0, "dimensions"}, "or thickness is not that of the state to go on from", value, "the same", {}});
     }
     renumberMaterials(state, scene, path);
+    holdDriven(scene, state.grains);
     std::vector<int> used = state.grains.material;
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     checkPairs(scene, used);
+    checkPeriods(scene, state.grains);
+    for (Vec3& position : state.grains.position) position = scene.box.wrap(position);
     return state;
 }
 

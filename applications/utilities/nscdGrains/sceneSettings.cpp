@@ -4,6 +4,7 @@
 // Reading a scene, one function per dictionary.
 #include "grainSources.hpp"
 #include "materialReader.hpp"
+#include "motionReader.hpp"
 #include "wallReader.hpp"
 
 #include "contactSolver.hpp"
@@ -31,12 +32,15 @@ void readShape(const CheckedEntries& top, SceneSettings& scene)
     if (scene.isPlanar() && scene.gravity.z() != 0.0) top.reject("gravity", "points out of the plane of discs", "a vector (x y 0)");
 }
 
+constexpr double maxSteps = 1e12;   // times must tell steps apart
+
 RunSettings readRun(const CheckedEntries& top)
 {
     RunSettings run;
     run.deltaT = top.number("deltaT", above(0));
     run.endTime = top.number("endTime", above(0));
     if (run.endTime < run.deltaT) top.reject("endTime", "is shorter than a step", textOf("at least deltaT, ", run.deltaT));
+    if (run.endTime > maxSteps*run.deltaT) top.reject("endTime", "makes too many steps", textOf("at most ", maxSteps*run.deltaT, ", ", maxSteps, " steps"));
     run.writeInterval = top.number("writeInterval", above(0), run.endTime);
     run.purgeWrite = top.integer("purgeWrite", 0, run.purgeWrite);
     run.results = top.text("results", run.results);
@@ -114,6 +118,7 @@ SceneSettings parseScene(const std::string& text, const std::string& file)
     readPeriodic(top, scene);
     readWalls(top, scene);
     readSources(top, scene);
+    readDriven(top, scene);
     scene.contact = readContactSettings(top);
     top.finish();
     return scene;

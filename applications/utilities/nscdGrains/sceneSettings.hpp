@@ -6,6 +6,7 @@
 
 #include "checkedEntries.hpp"
 
+#include "drivenGrains.hpp"
 #include "sceneParts.hpp"
 
 namespace nscdGrains
@@ -38,6 +39,13 @@ struct GrainSource
     bool isFixed = false;
 };
 
+/// Grains that move as told.
+struct DrivenGroup
+{
+    Place place;
+    nscd::DrivenGrains grains;
+};
+
 /// Times and output.
 struct RunSettings
 {
@@ -57,9 +65,11 @@ struct SceneSettings
     MaterialTable materials;
     int wallMaterial = -1;             ///< of walls that do not say; -1: each must
     nscd::Walls walls;
+    Words notes;                       ///< what the log should say of it
     nscd::PeriodicBox box;
     Place periodicPlace;
     std::vector<GrainSource> sources;
+    std::vector<DrivenGroup> driven;
     double maxInitialOverlap = 0.01;   ///< in diameters of the smaller grain
     Place overlapPlace;
     nscd::ContactSettings contact;

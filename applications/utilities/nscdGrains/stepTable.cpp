@@ -5,12 +5,6 @@
 #include "numberText.hpp"
 #include "stepTable.hpp"
 
-#include "completeFile.hpp"
-
-#include <cerrno>
-#include <cstdlib>
-#include <stdexcept>
-
 namespace nscdGrains
 {
 
@@ -60,39 +54,16 @@ std::string headLines()
         + lineOf([](const Column& c) { return std::string(c.name); }) + '\n';
 }
 
-/// The rows of an earlier file up to a time, under today's head, in a file that takes its place.
-void keepRows(const std::string& path, double upTo)
-{
-    std::ifstream old(path);
-    if (!old) throw std::runtime_error("cannot read " + path + ", which a run that goes on adds to");
-    std::string units, names, line;
-    std::getline(old, units);
-    std::getline(old, names);
-    if (units + '\n' + names + '\n' != headLines()) throw std::runtime_error(path + " has other columns than this version writes; move it away");
-    nscd::CompleteFile kept(path);
-    kept.stream() << headLines();
-    while (std::getline(old, line) && std::strtod(line.c_str(), nullptr) <= upTo) kept.stream() << line << '\n';
-    kept.complete();
-}
-
 } // namespace
 
 StepTable::StepTable(const std::string& path, bool goesOn, double keepUpTo)
 :
-    path_(path)
-{
-    errno = 0;
-    if (goesOn) keepRows(path, keepUpTo);
-    file_.open(path, goesOn ? std::ios::app : std::ios::trunc);
-    if (!goesOn) file_ << headLines() << std::flush;
-    if (!file_) nscd::failToWrite(path_);
-}
+    file_(path, headLines(), goesOn, keepUpTo)
+{}
 
 void StepTable::write(const StepRow& row)
 {
-    errno = 0;
-    file_ << lineOf([&](const Column& column) { return exact(column.value(row)); }) << '\n' << std::flush;
-    if (!file_) nscd::failToWrite(path_);
+    file_.write(lineOf([&](const Column& column) { return exact(column.value(row)); }));
 }
 
 } // namespace nscdGrains

@@ -4,12 +4,10 @@
 // report.csv: one row of numbers per time step, with the names that nscdDEMFoam's has.
 #pragma once
 
+#include "csvFile.hpp"
+
 #include "stepReport.hpp"
 #include "vec3.hpp"
-
-#include <cstdint>
-#include <fstream>
-#include <string>
 
 namespace nscdGrains
 {
@@ -26,20 +24,17 @@ struct StepRow
     nscd::Vec3 wallForce = nscd::Vec3::Zero();          ///< of the grains on all walls [N]
 };
 
-/// Writes rows as they come; a file that is being written can be plotted.
 class StepTable
 {
 public:
-    /// Begins a file; a run that goes on from `keepUpTo` [s] keeps the rows up to there.
-    /// Errors: std::runtime_error where it cannot be written, or where the file to go on with has other columns
+    /// Errors: std::runtime_error as CsvFile's
     StepTable(const std::string& path, bool goesOn, double keepUpTo);
 
-    /// Appends a row, with every digit, and flushes it.
+    /// Appends a row, with every digit.
     void write(const StepRow& row);
 
 private:
-    std::string path_;
-    std::ofstream file_;
+    CsvFile file_;
 };
 
 } // namespace nscdGrains

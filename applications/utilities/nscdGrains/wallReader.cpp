@@ -4,6 +4,9 @@
 // Reading walls.
 #include "wallReader.hpp"
 #include "materialReader.hpp"
+#include "motionReader.hpp"
+
+#include "stlFile.hpp"
 
 #include <algorithm>
 
@@ -28,12 +31,17 @@ void checkPlaneDirection(const CheckedEntries& given, const Vec3& normal, const 
     }
 }
 
+nscd::WallSides readSides(const CheckedEntries& given, const char* usual)
+{
+    return given.choice("sides", {"one", "both"}, usual) == "one" ? nscd::WallSides::one : nscd::WallSides::both;
+}
+
 void addPlane(const CheckedEntries& given, SceneSettings& scene, int patch)
 {
     const Vec3 point = given.vec("point");
     const Vec3 normal = given.vec("normal");
     checkPlaneDirection(given, normal, scene);
-    scene.walls.addPlane(patch, point, normal);
+    scene.walls.addPlane(patch, point, normal, readSides(given, "one"));
 }
 
 /// In 2D a wall runs from one vertex to another; grains are to its left. Across the plane it is as long, so that no disc feels its edges there.
@@ -110,6 +118,25 @@ void addBoxSides(const CheckedEntries& given, SceneSettings& scene, int patch)
     }
 }
 
+/// In 2D a surface that goes through the plane of discs; what faces along it is not felt.
+void addSurface(const CheckedEntries& given, SceneSettings& scene, int patch)
+{
+    const std::string path = scene.pathOf(given.text("file"));
+    const double scale = given.number("scale", above(0), 1.0);
+    const nscd::WallSides sides = readSides(given, "both");
+    checkIsFile(path, given.place("file"));
+    try
+    {
+        const std::size_t leftOut = scene.walls.addTriangles(patch, nscd::readStl(path, scale), sides);
+        const std::string& name = scene.walls.patches[patch].name;
+        if (leftOut > 0) scene.notes.push_back(textOf("wall ", name, ": ", leftOut, " triangles without area are left out"));
+    }
+    catch (const std::invalid_argument& error)
+    {
+        given.reject("file", std::string("cannot be used: ") + error.what(), "an STL file, ASCII or binary");
+    }
+}
+
 struct WallType
 {
     const char* name;
@@ -121,7 +148,8 @@ const WallType wallTypes[] =
 {
     {"plane", addPlane},
     {"polygon", addPolygon},
-    {"box", addBoxSides}
+    {"box", addBoxSides},
+    {"stl", addSurface}
 };
 
 const WallType& readType(const CheckedEntries& given)
@@ -137,10 +165,13 @@ void readWall(const CheckedEntries& list, const std::string& name, bool isPlane,
     const CheckedEntries given(list.sub(name));
     const auto isNamed = [&](const nscd::WallPatch& patch) { return patch.name == name; };
     if (std::any_of(scene.walls.patches.begin(), scene.walls.patches.end(), isNamed)) list.reject(name, "is the name of another wall");
+    if (name.find_first_of(",\"\n") != std::string::npos) list.reject(name, "is no name for a column of walls.csv", "a name without commas and quotes");
     const AddWall add = isPlane ? addPlane : readType(given).add;
     const bool mayInherit = !given.found("material") && scene.wallMaterial >= 0;
     const int material = mayInherit ? scene.wallMaterial : readMaterial(given, "material", scene.materials);
-    add(given, scene, scene.walls.addPatch(name, material));
+    const int patch = scene.walls.addPatch(name, material);
+    add(given, scene, patch);
+    readWallMotion(given, scene, patch);
     given.finish();
 }
 
@@ -157,6 +188,7 @@ void readWalls(const CheckedEntries& top, SceneSettings& scene)
         const CheckedEntries given(dict);
         for (const Entry& entry : dict.entries) readWall(given, entry.keyword, list == std::string("planes"), scene);
     }
+    nscd::moveWalls(scene.walls, 0.0);
 }
 
 } // namespace nscdGrains

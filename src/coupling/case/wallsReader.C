@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Walls beside the mesh, and functions of time as OpenFOAM reads them.
+// Walls beside the mesh: shapes, motions, belts.
 #include "wallsReader.H"
+#include "functionReader.H"
 #include "grainProperties.H"
 #include "materialsReader.H"
 #include "vectorConversion.H"
 
 #include "dimensionSets.H"
-
-#include <cmath>
-#include <memory>
 
 namespace Foam
 {
@@ -19,28 +17,6 @@ namespace nscdCoupling
 
 namespace
 {
-
-/// What a keyword says as a function of time: a number or vector, a table, or any other Function1 of OpenFOAM.
-template<class Type>
-std::function<Type(double)> readFunction(const CheckedDict& given, const word& keyword)
-{
-    if (!given.found(keyword))
-    {
-        fail({given.place(keyword), "is missing", string::null, "a constant or a function of time, as table ((0 0) (1 2.5))"});
-    }
-    const word coefficients(keyword + "Coeffs");
-    if (given.dict().found(coefficients)) given.found(coefficients);
-    const std::shared_ptr<const Function1<Type>> function(Function1<Type>::New(keyword, given.dict()).release());
-    if (!(mag(function->value(0)) < VGREAT)) given.reject(keyword, "is not finite at time 0");
-    return [function](double time) { return function->value(time); };
-}
-
-nscd::ScalarOfTime readScalar(const CheckedDict& given, const word& keyword) { return readFunction<scalar>(given, keyword); }
-
-nscd::VectorOfTime readVector(const CheckedDict& given, const word& keyword)
-{
-    return [function = readFunction<vector>(given, keyword)](double time) { return toVec3(function(time)); };
-}
 
 vector readAxis(const CheckedDict& given)
 {
@@ -62,7 +38,7 @@ nscd::WallMotion readRotation(const CheckedDict& given, vector& torquePoint)
     const vector origin = given.vec("origin", dimLength);
     const vector axis = readAxis(given);
     const word keyword = oneOf(given, "omega", "angle");
-    const nscd::ScalarOfTime value = readScalar(given, keyword);
+    const nscd::ScalarOfTime value = readScalarFunction(given, keyword);
     torquePoint = origin;
     return nscd::rotationBy(toVec3(origin), toVec3(axis), keyword == "angle" ? value : nscd::integralOf(value));
 }
@@ -70,7 +46,7 @@ nscd::WallMotion readRotation(const CheckedDict& given, vector& torquePoint)
 nscd::WallMotion readTranslation(const CheckedDict& given)
 {
     const word keyword = oneOf(given, "velocity", "displacement");
-    const nscd::VectorOfTime value = readVector(given, keyword);
+    const nscd::VectorOfTime value = readVectorFunction(given, keyword);
     return nscd::translationBy(keyword == "displacement" ? value : nscd::integralOf(value));
 }
 
@@ -135,13 +111,13 @@ nscd::SurfaceMotion readSurfaceMotion(const CheckedDict& wall)
     if (!wall.found(keyword)) return nullptr;
     if (keyword == "surfaceVelocity")
     {
-        const nscd::VectorOfTime velocity = readVector(wall, keyword);
+        const nscd::VectorOfTime velocity = readVectorFunction(wall, keyword);
         return [velocity](double time) { return nscd::Twist{velocity(time), nscd::Vec3::Zero(), nscd::Vec3::Zero()}; };
     }
     const CheckedDict given(wall.sub(keyword));
     const nscd::Vec3 origin = toVec3(given.vec("origin", dimLength));
     const nscd::Vec3 axis = toVec3(readAxis(given)).normalized();
-    const nscd::ScalarOfTime omega = readScalar(given, "omega");
+    const nscd::ScalarOfTime omega = readScalarFunction(given, "omega");
     given.finish();
     return [=](double time) { return nscd::Twist{nscd::Vec3::Zero(), omega(time)*axis, origin}; };
 }

@@ -45,7 +45,7 @@ bool CoupledRun::nextStep()
 
 void CoupledRun::driveTo(scalar end, scalar deltaT)
 {
-    driveGrains(properties_.driven, *dynamics_, end - deltaT, end, scene_.space.emptyAxis);
+    driveGrains(properties_.driven, *dynamics_, end - deltaT, end);
 }
 
 void CoupledRun::sampleFluid()

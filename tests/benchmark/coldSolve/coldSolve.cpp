@@ -111,7 +111,7 @@ int main(int argc, char** argv)
     }
     if ((what == "sweeps" && argc == 6) || (what == "history" && argc == 5))
     {
-        FrozenBed bed(readBed(argv[2]));
+        FrozenBed bed(TiledBed(argv[2], 1, 1).whole());
         if (what == "sweeps") countSweeps(bed, number(argv[3]), number(argv[4]), argv[5]);
         else printHistory(bed, number(argv[3]), argv[4]);
         return 0;

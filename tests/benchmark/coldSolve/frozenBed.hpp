@@ -4,61 +4,23 @@
 // A settled bed with periodic sides as one contact problem that can be solved again and again from cold.
 #pragma once
 
-#include "../../unit/nscd/heaps.hpp"
+#include "benchmark/rankedBed/tiledBed.hpp"
+#include "unit/nscd/heaps.hpp"
 
 #include "contactSolver.hpp"
 #include "contactStep.hpp"
 #include "sweepKernels.hpp"
 
-#include <fstream>
-#include <stdexcept>
-#include <string>
-
 namespace scenes
 {
-
-constexpr double bedRadius = 1.25e-3, bedDensity = 2526.0, bedDeltaT = 1e-3, bedFriction = 0.3;
-
-/// A floor under a periodic bed of the given width and depth [m].
-inline Scene emptyPeriodicBed(double width, double depth)
-{
-    Scene scene(3, bedFriction, 0.0);
-    scene.box.length = Vec3(width, depth, 0);
-    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
-    return scene;
-}
-
-/// The bed in a file of `rankedBed settle` or `coldSolve settle`: the two periods, then a position a line.
-inline Scene readBed(const std::string& path)
-{
-    std::ifstream file(path);
-    double width, depth;
-    if (!(file >> width >> depth)) throw std::runtime_error("cannot read " + path);
-    Scene scene = emptyPeriodicBed(width, depth);
-    for (Vec3 x; file >> x[0] >> x[1] >> x[2];) scene.addGrain(x, bedRadius, bedDensity);
-    return scene;
-}
 
 /// Lets a jittered lattice, 1.1 d apart, settle in a viscous medium, and writes it to a file.
 inline void settleBed(const std::string& path, int perSide, int layers, int steps)
 {
-    const double spacing = 2.2*bedRadius;
-    Scene scene = emptyPeriodicBed(perSide*spacing, perSide*spacing);
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> unit(-1, 1);
-    for (int k = 0; k < layers; ++k)
-    for (int j = 0; j < perSide; ++j)
-    for (int i = 0; i < perSide; ++i)
-    {
-        const Vec3 shake = 0.09*bedRadius*Vec3(unit(random), unit(random), unit(random));
-        scene.addGrain(spacing*Vec3(i + 0.5, j + 0.5, k + 0.5) + shake, bedRadius, bedDensity);
-    }
+    const Scene scene = latticeBed(perSide, layers);
     auto dynamics = scene.build(nscd::ContactSettings());
-    for (int k = 0; k < steps; ++k) stepDamped(dynamics, scene.g, bedDeltaT);
-    std::ofstream file(path);
-    file.precision(17);
-    file << scene.box.length[0] << " " << scene.box.length[1] << "\n";
-    for (const Vec3& x : dynamics.grains().position) file << x.transpose() << "\n";
+    for (int k = 0; k < steps; ++k) stepDamped(dynamics, scene.g, deltaT);
+    writeBed(path, scene.box, dynamics.grains().position);
 }
 
 /// The contact problem of a bed's first step under its weight, in a state no solver has touched.
@@ -69,11 +31,11 @@ public:
     :
         scene_(std::move(scene)),
         kernels_(nscd::chooseKernels(vectorPath)),
-        diameter_(2.0*bedRadius)
+        diameter_(2.0*radius)
     {
         nscd::Exchange alone;
         const nscd::ContactSettings settings;
-        const std::vector<double> reach(scene_.grains.size(), 0.5*settings.skin*diameter_ + 2.0*bedDeltaT*bedDeltaT*gravity);
+        const std::vector<double> reach(scene_.grains.size(), 0.5*settings.skin*diameter_ + 2.0*deltaT*deltaT*gravity);
         list_ = nscd::buildContactList(view(), nscd::WallSearch(scene_.walls, diameter_), reach, {}, diameter_, alone);
         nscd::updateGeometry(list_, view());
     }
@@ -86,14 +48,14 @@ public:
         std::uniform_real_distribution<double> unit(-1, 1);
         for (Vec3& v : scene_.grains.velocity)
         {
-            const double noise = sample > 0 ? 0.01*gravity*bedDeltaT : 0.0;
+            const double noise = sample > 0 ? 0.01*gravity*deltaT : 0.0;
             v = noise*Vec3(unit(random), unit(random), unit(random));
         }
         for (nscd::ContactBlock& block : list_.blocks) std::fill(&block.r[0][0], &block.r[0][0] + 3*nscd::blockLanes, 0.0);
-        const nscd::ExternalForces forces = weight(scene_.grains, scene_.g, bedDeltaT);
-        nscd::setFreeVelocities(list_, scene_.grains, forces, bedDeltaT, nscd::IslandSleep());
-        nscd::prepareSlots(list_, kernels_, bedDeltaT, nscd::ContactSettings().deadBand*diameter_, 1.0);
-        return {list_.bodies, list_.blocks, list_.awake, list_.interfaceBlock, list_.halo, kernels_, true, bedDeltaT, forces.speedScale, diameter_,
+        const nscd::ExternalForces forces = weight(scene_.grains, scene_.g, deltaT);
+        nscd::setFreeVelocities(list_, scene_.grains, forces, deltaT, nscd::IslandSleep());
+        nscd::prepareSlots(list_, kernels_, deltaT, nscd::ContactSettings().deadBand*diameter_, 1.0);
+        return {list_.bodies, list_.blocks, list_.awake, list_.interfaceBlock, list_.halo, kernels_, true, deltaT, forces.speedScale, diameter_,
                 list_.position};
     }
 
@@ -109,7 +71,7 @@ public:
         }
         double mass = 0.0;
         for (double m : scene_.grains.mass) mass += m;
-        return sum/(mass*gravity*bedDeltaT);
+        return sum/(mass*gravity*deltaT);
     }
     const nscd::ContactList& list() const { return list_; }
 

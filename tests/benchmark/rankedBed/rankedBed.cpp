@@ -36,10 +36,7 @@ void settle(const char* path, int perSide, int layers, int steps)
     }
     const nscd::Grains all = run.gatherGrains();
     if (run.exchange().rank() > 0) return;
-    std::ofstream file(path);
-    file.precision(17);
-    file << scene.box.length[0] << " " << scene.box.length[1] << "\n";
-    for (const Vec3& x : all.position) file << x.transpose() << "\n";
+    writeBed(path, scene.box, all.position);
 }
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Beds of spheres with periodic sides for benchmarks on ranks: a lattice, or tiles of a settled bed side by side. A rank makes its own
+// Beds of spheres with periodic sides for benchmarks: a lattice, or tiles of a settled bed side by side. A rank makes its own
 // grains only.
 #pragma once
 
@@ -9,6 +9,7 @@
 
 #include <fstream>
 #include <random>
+#include <stdexcept>
 
 namespace scenes
 {
@@ -41,6 +42,17 @@ inline Scene latticeBed(int perSide, int layers)
     return scene;
 }
 
+/// A settled bed as a file: the two periods, then a position a line.
+inline void writeBed(const std::string& path, const nscd::PeriodicBox& box, const std::vector<Vec3>& positions)
+{
+    std::ofstream file(path);
+    file.precision(17);
+    file << box.length[0] << " " << box.length[1] << "\n";
+    for (const Vec3& x : positions) file << x.transpose() << "\n";
+    file.close();
+    if (!file) throw std::runtime_error("cannot write " + path);
+}
+
 /// A settled bed that lies side by side with copies of itself.
 struct TiledBed
 {
@@ -48,17 +60,20 @@ struct TiledBed
     std::vector<Vec3> tile;
     int tilesX = 1, tilesY = 1;
 
-    TiledBed(const char* path, int tilesX, int tilesY)
+    /// Of a file of writeBed().
+    TiledBed(const std::string& path, int tilesX, int tilesY)
     :
         tilesX(tilesX),
         tilesY(tilesY)
     {
         std::ifstream file(path);
-        if (!(file >> width >> depth)) throw std::runtime_error(std::string("cannot read ") + path);
+        if (!(file >> width >> depth)) throw std::runtime_error("cannot read " + path);
         for (Vec3 x; file >> x[0] >> x[1] >> x[2];) tile.push_back(x);
     }
 
     std::size_t size() const { return tile.size()*tilesX*tilesY; }
+
+    Scene whole() const { return part(0, size()); }
 
     /// The bed with the grains first .. last - 1.
     Scene part(std::size_t first, std::size_t last) const

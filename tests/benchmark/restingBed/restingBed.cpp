@@ -88,7 +88,7 @@ int main(int argc, char** argv)
     for (const bool sleep : {false, true})
     {
         settings.sleep = sleep;
-        auto dynamics = tiles.part(0, tiles.size()).build(settings);
+        auto dynamics = tiles.whole().build(settings);
         for (int k = 0; k < std::stoi(o.at("warmUp")); ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
         for (int k = 0; k < 3; ++k) measure(sleep ? "may sleep" : "awake", dynamics, std::stoi(o.at("steps")));
     }

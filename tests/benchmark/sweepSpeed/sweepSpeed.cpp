@@ -106,7 +106,7 @@ int main(int argc, char** argv)
     }
     const auto number = [=](int k, int otherwise) { return argc > k ? std::atoi(argv[k]) : otherwise; };
     const TiledBed tiles(argv[1], number(2, 1), number(3, 1));
-    FrozenProblem problem(tiles.part(0, tiles.size()));
+    FrozenProblem problem(tiles.whole());
     const double bandwidth = memoryBandwidth();
     std::fprintf(stderr, "memory bandwidth %.1f GB/s\n", 1e-9*bandwidth);
     std::printf("path,grains,visited,loaded,fill,nsPerVisit,visitsMperS,loadedMperS,bytesPerVisit,allowedMperS,ofAllowed\n");

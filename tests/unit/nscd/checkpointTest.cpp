@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Hash of a serial run, with and without a stop in the middle, and checkpoint files that are not what they should be.
+#include "../fileSizeLimit.hpp"
 #include "heaps.hpp"
 #include "sceneHash.hpp"
 #include "sceneCheckpoint.hpp"
@@ -9,10 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -233,24 +232,17 @@ TEST_F(Checkpoint, aFullDiskIsAnErrorAndLeavesTheOldFile)
     nscd::SceneState large = smallState();
     nscd::addLattice(large.grains, {{0, 0, 1}, {1, 1, 2}, {30, 30, 30}, 0.01}, 2500.0, 0);
 
-    // A limit on the size of files is what a test has of a full disk.
-    rlimit limit;
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
-    rlimit small = limit;
-    small.rlim_cur = 100000;
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
     std::string message;
     try
     {
+        const FileSizeLimit limit(100000);
+        ASSERT_TRUE(limit.isSet());
         nscd::writeCheckpoint(path, large);
     }
     catch (const std::runtime_error& error)
     {
         message = error.what();
     }
-    setrlimit(RLIMIT_FSIZE, &limit);
-    std::signal(SIGXFSZ, handler);
     EXPECT_NE(message.find("cannot write " + path), std::string::npos) << message;
     EXPECT_NE(message.find("too large"), std::string::npos) << message;
     EXPECT_EQ(bytes(), before);

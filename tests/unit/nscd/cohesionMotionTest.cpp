@@ -4,6 +4,7 @@
 // Cohesion in motion: pairs that turn and fall, energy, range, heaps judged by code of its own, restart.
 #include "lawScenes.hpp"
 #include "naturalMap.hpp"
+#include "restarts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -208,16 +209,5 @@ TEST(Cohesion, restartsToTheBit)
     scene.g = gravity*Vec3(0.5, 0.1, -0.86);
     auto dynamics = scene.build(nscd::ContactSettings());
     for (int k = 0; k < 100; ++k) step(dynamics, scene.g, deltaT);
-    double lastDeltaT = 0.0;
-    const std::vector<nscd::StoredImpulse> impulses = dynamics.checkpoint(lastDeltaT);
-    Scene at = scene;
-    at.grains = dynamics.grains();
-    auto other = at.build(nscd::ContactSettings());
-    other.restore(impulses, lastDeltaT);
-    for (int k = 0; k < 40; ++k)
-    {
-        const int sweeps = step(dynamics, scene.g, deltaT).solve.sweeps;
-        ASSERT_EQ(step(other, scene.g, deltaT).solve.sweeps, sweeps);
-        for (std::size_t i = 0; i < at.grains.size(); ++i) ASSERT_EQ(other.grains().position[i], dynamics.grains().position[i]);
-    }
+    expectSameAfterRestart(dynamics, scene, deltaT, 40);
 }

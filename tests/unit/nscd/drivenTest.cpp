@@ -4,6 +4,8 @@
 // Grains that are held, and grains driven with a velocity given step by step.
 #include "heaps.hpp"
 
+#include "drivenGrains.hpp"
+
 #include <gtest/gtest.h>
 
 using namespace scenes;
@@ -122,4 +124,43 @@ TEST(Driven, onlyHeldGrains)
     scene.grains.isFixed[0] = 1;
     auto held = scene.build();
     EXPECT_THROW(held.drive(0, Vec3(NAN, 0, 0), Vec3::Zero()), std::invalid_argument);
+}
+
+TEST(Driven, groupsFollowFunctionsOfTime)
+{
+    // Two Gauss points a step integrate a cubic velocity exactly; grains of other groups, and held ones of none, stay.
+    Scene scene(3, 0.3, 0.0);
+    for (int i = 0; i < 4; ++i) scene.addGrain(Vec3(0.1*i, 0, 0), radius);
+    scene.grains.isFixed[3] = 1;
+    const nscd::DrivenGrains group{{0, 2, 7}, [](double t) { return Vec3(4*t*t*t, 0, 1); }, [](double t) { return Vec3(0, t, 0); }};
+    EXPECT_EQ(nscd::hold(group, scene.grains), 2u);
+    EXPECT_EQ(scene.grains.isFixed, (std::vector<std::uint8_t>{1, 0, 1, 1}));
+    auto dynamics = scene.build();
+    for (int k = 0; k < 10; ++k)
+    {
+        nscd::drive(group, dynamics, 0.1*k, 0.1*(k + 1));
+        step(dynamics, Vec3::Zero(), 0.1);
+    }
+    const nscd::Grains& grains = dynamics.grains();
+    EXPECT_NEAR((grains.position[0] - Vec3(1, 0, 1)).norm(), 0, 1e-14);
+    EXPECT_NEAR((grains.position[2] - Vec3(1.2, 0, 1)).norm(), 0, 1e-14);
+    EXPECT_EQ(grains.position[1], Vec3(0.1, 0, 0));
+    EXPECT_EQ(grains.position[3], scene.grains.position[3]);
+    EXPECT_NEAR(grains.orientation[0].angularDistance(nscd::Quaternion(Eigen::AngleAxisd(0.5, Vec3::UnitY()))), 0, 1e-7);
+}
+
+TEST(Driven, groupsMustMoveAsGrainsCan)
+{
+    Scene scene(2, 0.3, 0.0);
+    scene.grains.shape.emptyAxis = 2;
+    auto dynamics = scene.build();   // no grain of the group is here: it is refused nevertheless, as on the rank that has it
+    const auto refused = [&](const Vec3& velocity, const Vec3& omega)
+    {
+        const nscd::DrivenGrains group{{0}, [=](double) { return velocity; }, [=](double) { return omega; }};
+        EXPECT_THROW(nscd::drive(group, dynamics, 0, 1), std::invalid_argument) << velocity.transpose() << ", " << omega.transpose();
+    };
+    refused(Vec3(0, 0, 1), Vec3::Zero());
+    refused(Vec3(1, 0, 0), Vec3(1, 0, 0));
+    refused(Vec3(NAN, 0, 0), Vec3::Zero());
+    refused(Vec3(1, 0, 0), Vec3(0, 0, INFINITY));
 }

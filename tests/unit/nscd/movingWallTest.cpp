@@ -3,6 +3,7 @@
 //
 // Walls that move: lids, belts, shakers, blades; forces, torques, restarts.
 #include "heaps.hpp"
+#include "restarts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -243,20 +244,7 @@ TEST(MovingWall, restartsToTheBitFromTimeAlone)
     scene.walls.setMotion(paddle, nscd::rotation(Vec3(0.04, 0.04, 0), Vec3::UnitZ(), 5.0));
     auto dynamics = scene.build(nscd::ContactSettings());
     for (int k = 0; k < 60; ++k) step(dynamics, scene.g, deltaT);
-    double lastDeltaT = 0;
-    const std::vector<nscd::StoredImpulse> impulses = dynamics.checkpoint(lastDeltaT);
-    Scene later = scene;
-    later.grains = dynamics.grains();
-    auto other = later.build(nscd::ContactSettings());
-    other.setTime(dynamics.time());
-    other.restore(impulses, lastDeltaT);
-    for (int k = 0; k < 40; ++k)
-    {
-        step(dynamics, scene.g, deltaT);
-        step(other, scene.g, deltaT);
-        for (std::size_t i = 0; i < other.grains().size(); ++i) ASSERT_EQ(other.grains().position[i], dynamics.grains().position[i]) << k;
-        ASSERT_EQ(other.wallTorque()[paddle], dynamics.wallTorque()[paddle]);
-    }
+    expectSameAfterRestart(dynamics, scene, deltaT, 40);
     EXPECT_GT(dynamics.wallForce()[paddle].norm(), 0);
 }
 

@@ -3,6 +3,7 @@
 //
 // Heaps with rolling and spinning friction: at rest, judged by code of its own, restarted.
 #include "lawScenes.hpp"
+#include "restarts.hpp"
 #include "rollingMap.hpp"
 
 #include <gtest/gtest.h>
@@ -69,20 +70,5 @@ TEST(Rolling, restartsToTheBit)
     setAll(scene, rollingPair(0.4, 0.05, 0.02));
     auto dynamics = scene.build(nscd::ContactSettings());
     for (int k = 0; k < 150; ++k) step(dynamics, scene.g, deltaT);
-    double lastDeltaT = 0.0;
-    const std::vector<nscd::StoredImpulse> impulses = dynamics.checkpoint(lastDeltaT);
-    Scene at = scene;
-    at.grains = dynamics.grains();
-    auto other = at.build(nscd::ContactSettings());
-    other.restore(impulses, lastDeltaT);
-    for (int k = 0; k < 30; ++k)
-    {
-        const int sweeps = step(dynamics, scene.g, deltaT).solve.sweeps;
-        ASSERT_EQ(step(other, scene.g, deltaT).solve.sweeps, sweeps);
-        for (std::size_t i = 0; i < at.grains.size(); ++i)
-        {
-            ASSERT_EQ(other.grains().position[i], dynamics.grains().position[i]);
-            ASSERT_EQ(other.grains().omega[i], dynamics.grains().omega[i]);
-        }
-    }
+    expectSameAfterRestart(dynamics, scene, deltaT, 30);
 }

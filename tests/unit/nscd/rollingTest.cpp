@@ -219,3 +219,51 @@ TEST(Rolling, refusesWhatItCannot)
     settings.solver = "queue";
     EXPECT_THROW(onFloor(3, rollingPair(0.3, 0.1)).build(settings), std::invalid_argument);
 }
+
+/// A plane that turns about its normal below the grain: mu_s R m g = kappa m R^2 domega/dt until the grain turns with it.
+TEST(Rolling, aTurningWallTakesAGrainAlong)
+{
+    const double spinning = 0.05, turning = 20.0;
+    for (const bool movesAsABody : {true, false})
+    {
+        Scene scene = onFloor(3, rollingPair(0.5, 0.0, spinning));
+        if (movesAsABody) scene.walls.setMotion(0, nscd::rotation(Vec3::Zero(), Vec3::UnitZ(), turning));
+        else scene.walls.setSurfaceMotion(0, nscd::turningSurface(Vec3::Zero(), Vec3(0, 0, turning)));
+        auto dynamics = scene.build();
+        const double acceleration = spinning*gravity/(0.4*radius), torque = spinning*radius*scene.grains.mass[0]*gravity;
+        const int steps = static_cast<int>(turning/(acceleration*deltaT));
+        ASSERT_GT(steps, 100);
+        for (int k = 1; k <= steps; ++k)
+        {
+            ASSERT_TRUE(step(dynamics, scene.g, deltaT).solve.converged);
+            ASSERT_NEAR(dynamics.grains().omega[0][2], k*deltaT*acceleration, 1e-11*turning) << k;
+            ASSERT_NEAR(dynamics.contactTorque()[0][2], torque, 1e-10*torque);
+            ASSERT_NEAR(dynamics.wallTorque()[0][2], -torque, 1e-10*torque);
+        }
+        for (int k = 0; k < 10; ++k) step(dynamics, scene.g, deltaT);
+        EXPECT_NEAR(dynamics.grains().omega[0][2], turning, 1e-11*turning);
+        EXPECT_NEAR(dynamics.contactTorque()[0][2], 0, 1e-8*torque);
+        EXPECT_LT(dynamics.grains().velocity[0].norm(), 1e-12);
+    }
+}
+
+/// A surface that turns about an axis in its plane, through the point of contact: mu_r R m g = kappa m R^2 domega/dt about that axis.
+TEST(Rolling, aRollerTakesAGrainAlong)
+{
+    const double rolling = 0.05, turning = 20.0;
+    for (int dimensions : {2, 3})
+    {
+        Scene scene = onFloor(dimensions, rollingPair(0.0, rolling));
+        scene.grains.shape.emptyAxis = dimensions == 2 ? 1 : -1;
+        scene.walls.setSurfaceMotion(0, nscd::turningSurface(Vec3::Zero(), Vec3(0, turning, 0)));
+        auto dynamics = scene.build();
+        const double acceleration = rolling*gravity/(scene.grains.shape.inertiaFactor()*radius);
+        for (int k = 1; k <= 100; ++k)
+        {
+            ASSERT_TRUE(step(dynamics, scene.g, deltaT).solve.converged);
+            ASSERT_NEAR(dynamics.grains().omega[0][1], k*deltaT*acceleration, 1e-11*turning) << k;
+        }
+        for (int k = 0; k < 500; ++k) step(dynamics, scene.g, deltaT);
+        EXPECT_NEAR(dynamics.grains().omega[0][1], turning, 1e-11*turning);
+    }
+}

@@ -4,7 +4,7 @@
 // Small dry scenes for tests: gravity as the only force, one material for grains and one for walls.
 #pragma once
 
-#include "grainDynamics.hpp"
+#include "sceneParts.hpp"
 
 #include <cmath>
 
@@ -62,13 +62,7 @@ struct Scene
 };
 
 /// Gravity as f_e.
-inline nscd::ExternalForces weight(const nscd::Grains& grains, const Vec3& g, double deltaT)
-{
-    nscd::ExternalForces forces;
-    for (double mass : grains.mass) forces.force.push_back(mass*g);
-    forces.speedScale = g.norm()*deltaT;
-    return forces;
-}
+inline nscd::ExternalForces weight(const nscd::Grains& grains, const Vec3& g, double deltaT) { return nscd::gravityForces(grains, g, deltaT); }
 
 inline nscd::StepReport step(nscd::GrainDynamics& dynamics, const Vec3& g, double deltaT)
 {

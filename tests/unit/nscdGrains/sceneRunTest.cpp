@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Whole runs: stopped and continued to the bit, results that are not lost, files as they should be.
+#include "../fileSizeLimit.hpp"
 #include "sceneCheckpoint.hpp"
 #include "sceneError.hpp"
 #include "sceneFiles.hpp"
@@ -10,7 +11,6 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
@@ -199,16 +199,11 @@ TEST_F(SceneRuns, stopInWordsWhereTheyCannotWrite)
     EXPECT_NE(failure("scene").find("cannot make the folder"), std::string::npos) << failure("scene");
     fs::remove(folder/"scene.out");
 
-    // A limit on the size of files is what a test has of a full disk.
-    rlimit limit;
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
-    rlimit small = limit;
-    small.rlim_cur = 12000;
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-    const std::string message = failure("scene");
-    setrlimit(RLIMIT_FSIZE, &limit);
-    std::signal(SIGXFSZ, handler);
+    const std::string message = [&]
+    {
+        const FileSizeLimit limit(12000);
+        return limit.isSet() ? failure("scene") : "no limit could be set";
+    }();
     EXPECT_NE(message.find("cannot write "), std::string::npos) << message;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) EXPECT_NE(entry.path().extension(), ".part");
 }
