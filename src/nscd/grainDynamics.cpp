@@ -4,7 +4,6 @@
 // The grains' time step.
 #include "grainDynamicsParts.hpp"
 
-#include "andersonAcceleration.hpp"
 #include "invalidValue.hpp"
 #include "stopwatch.hpp"
 
@@ -149,17 +148,17 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
 
 void GrainDynamics::Implementation::rebound(const ExternalForces& external, SolveReport& report)
 {
-    std::vector<Body> inelastic = list.bodies;
+    Shock inelastic;
+    inelastic.bodies = list.bodies;
     setFreeVelocities(list, grains, external, deltaT, sleep);
     const std::vector<Body> freeBodies = std::move(list.bodies);
-    list.bodies = std::move(inelastic);
+    list.bodies = inelastic.bodies;
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
     if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
 
     ContactProblem problem = makeProblem(external.speedScale);
-    AndersonAcceleration::Impulses beforeShock;
-    gatherImpulses(list.blocks, problem.all(), beforeShock);
-    const RollingSlots rollingBeforeShock = list.rolling;
+    gatherImpulses(list.blocks, problem.all(), inelastic.impulses);
+    inelastic.rolling = list.rolling;
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
@@ -169,13 +168,26 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     report.converged = report.converged && shock.converged;
     report.residualRms = std::max(report.residualRms, shock.residualRms);
     report.residualMax = std::max(report.residualMax, shock.residualMax);
+    limitWork(freeBodies, inelastic, shock, report);
     forces = contactForces();
     // The next step starts from the impulses of the motion, not from those of the shock.
     for (std::size_t k = 0; k < list.blocks.size(); ++k)
     {
-        std::copy_n(beforeShock.begin() + static_cast<std::ptrdiff_t>(3*blockLanes*k), 3*blockLanes, &list.blocks[k].r[0][0]);
+        std::copy_n(inelastic.impulses.begin() + static_cast<std::ptrdiff_t>(3*blockLanes*k), 3*blockLanes, &list.blocks[k].r[0][0]);
     }
-    list.rolling = rollingBeforeShock;
+    list.rolling = inelastic.rolling;
+}
+
+void GrainDynamics::Implementation::limitWork
+(
+    const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report
+)
+{
+    const double residual = shock.residualRms*std::sqrt(static_cast<double>(shock.contacts));
+    const ShockWork account = shockWork(list, freeBodies, residual);
+    report.shockWork = account.work;
+    report.shockResidualWork = account.residualWork;
+    if (report.hasGainedEnergy()) report.reboundShare = limitRebound(list, freeBodies, inelastic);
 }
 
 void GrainDynamics::Implementation::correctPositions(StepReport& report)
