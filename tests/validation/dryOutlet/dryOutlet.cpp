@@ -73,7 +73,8 @@ void addFloor(Scene& scene, const Silo& silo)
     }
 }
 
-Scene filled(const Silo& silo)
+/// Grains at rest above a floor without a hole, and walls of a scene with one.
+Scene lattice(const Silo& silo)
 {
     Scene scene(silo.dimensions, 0.3, 0.0);
     std::mt19937 random(4);
@@ -87,7 +88,6 @@ Scene filled(const Silo& silo)
         Vec3 x(-half + step*(i + 0.5), silo.dimensions == 3 ? -half + step*(j + 0.5) : 0.0, pitch*(layer + 0.6));
         scene.addGrain(x + 0.02*diameter*Vec3(unit(random), silo.dimensions == 3 ? unit(random) : 0.0, 0), radius*(1 + spread*unit(random)));
     }
-    addFloor(scene, silo);
     for (int axis = 0; axis < (silo.dimensions == 3 ? 2 : 1); ++axis)
     {
         scene.addPlane(-half*Vec3::Unit(axis), Vec3::Unit(axis));
@@ -120,21 +120,32 @@ double refill(nscd::GrainDynamics& dynamics, const Silo& silo, std::mt19937& ran
     return mass;
 }
 
-/// Mass flow [kg/s; of discs kg/s and m]: mean once the flow is established, until `share` of the filling has passed.
-double flow(const Silo& silo, double share)
+Scene filled(const Silo& silo)
+{
+    Scene scene = lattice(silo), closed = scene;
+    closed.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    auto settling = closed.build(nscd::ContactSettings());
+    const int steps = static_cast<int>(200 + 30*std::sqrt(silo.layers));
+    for (int n = 0; n < steps; ++n) step(settling, closed.g, 1e-3);
+    scene.grains = settling.grains();
+    addFloor(scene, silo);
+    return scene;
+}
+
+/// Mass flow [kg/s; of discs kg/s and m] while `fillings` pass, after the first third of a filling has.
+double flow(const Silo& silo, double fillings)
 {
     const Scene scene = filled(silo);
     auto dynamics = scene.build(nscd::ContactSettings());
     std::mt19937 random(8);
     double total = 0.0, passed = 0.0, time = 0.0, from = 0.0, massFrom = 0.0;
     for (double m : scene.grains.mass) total += m;
-    while (passed - massFrom < share*total && time < 20.0)
+    while (passed - massFrom < fillings*total && time < 20.0)
     {
         for (int n = 0; n < stepsPerRefill; ++n) step(dynamics, scene.g, deltaT);
         passed += refill(dynamics, silo, random);
         time += stepsPerRefill*deltaT;
-        const bool isEstablished = time > 0.2;
-        if (!isEstablished) { from = time; massFrom = passed; }
+        if (passed < total/3.0) { from = time; massFrom = passed; }
     }
     return (passed - massFrom)/(time - from);
 }
@@ -152,14 +163,14 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y)
     return (n*sxy - sx*sy)/(n*sxx - sx*sx);
 }
 
-void beverloo(bars::CsvFile& csv, int dimensions, double width, int layers, const std::vector<double>& outlets, double share)
+void beverloo(bars::CsvFile& csv, int dimensions, double width, int layers, const std::vector<double>& outlets, double fillings)
 {
     std::printf("A18: silo of %g d in %d dimensions, mu 0.3, %d layers\n", width, dimensions, layers);
     const double power = dimensions == 3 ? 2.5 : 1.5, bulk = 2500*(dimensions == 3 ? 0.58 : 0.82);
     std::vector<double> open, flows;
     for (double outlet : outlets)
     {
-        const double found = flow({dimensions, width, outlet, layers}, share);
+        const double found = flow({dimensions, width, outlet, layers}, fillings);
         open.push_back((outlet - k)*diameter);
         flows.push_back(found);
         const double constant = found/(bulk*std::sqrt(gravity)*std::pow(open.back(), power));
@@ -172,13 +183,13 @@ void beverloo(bars::CsvFile& csv, int dimensions, double width, int layers, cons
     require("exponent against Beverloo's", std::abs(found - power), 0.2);
 }
 
-void head(bars::CsvFile& csv, int dimensions, double width, double outlet, int low, int high, double share)
+void head(bars::CsvFile& csv, int dimensions, double width, double outlet, int low, int high, double fillings)
 {
     double flows[2];
     int layers[2] = {low, high};
     for (int n : {0, 1})
     {
-        flows[n] = flow({dimensions, width, outlet, layers[n]}, share*low/layers[n]);
+        flows[n] = flow({dimensions, width, outlet, layers[n]}, fillings*low/layers[n]);
         csv.row({double(dimensions), width, double(layers[n]), outlet, flows[n], 0.0});
     }
     std::printf("  head of %d and %d layers, D %g d: %.5g and %.5g kg/s\n", low, high, outlet, flows[0], flows[1]);
@@ -198,8 +209,8 @@ int main(int count, char** arguments)
     }
     else
     {
-        beverloo(csv, 2, 32, 40, {5, 7, 9, 12}, 1.0);
-        head(csv, 2, 32, 9, 40, 80, 2.0);
+        beverloo(csv, 2, 40, 40, {5, 7, 9, 12}, 1.0);
+        head(csv, 2, 40, 9, 30, 60, 2.0);
     }
     return bars::status();
 }

@@ -5,12 +5,15 @@
 //     dryPeers settle TABLE
 //     dryPeers impact TABLE CSV      z(t) of a steel sphere
 //     dryPeers silo TABLE CSV STL    number of grains that are still above the floor
+//     dryPeers settleDrum TABLE
+//     dryPeers drum TABLE CSV        places of grains that began on the left
 #include "../../unit/nscd/heaps.hpp"
 #include "../resources/bars.hpp"
 
 #include "stlFile.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -49,6 +52,17 @@ void readTable(Scene& scene, const char* name)
     if (scene.grains.size() == 0) throw std::runtime_error(std::string("no grains in ") + name);
 }
 
+void writeTable(const nscd::Grains& grains, const char* name)
+{
+    std::FILE* file = std::fopen(name, "w");
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const Vec3& x = grains.position[i];
+        std::fprintf(file, "%.9g %.9g %.9g %.9g\n", x[0], x[1], x[2], 2*grains.radius[i]);
+    }
+    std::fclose(file);
+}
+
 void settle(const char* table)
 {
     Scene scene = boxScene(planeFloor);
@@ -63,13 +77,7 @@ void settle(const char* table)
     auto dynamics = scene.build(nscd::ContactSettings());
     for (int k = 0; k < 300; ++k) step(dynamics, scene.g, 1e-3);
     for (int k = 0; k < 100; ++k) stepDamped(dynamics, scene.g, 1e-3);
-    std::FILE* file = std::fopen(table, "w");
-    for (std::size_t i = 0; i < dynamics.grains().size(); ++i)
-    {
-        const Vec3& x = dynamics.grains().position[i];
-        std::fprintf(file, "%.9g %.9g %.9g %.9g\n", x[0], x[1], x[2], 2*dynamics.grains().radius[i]);
-    }
-    std::fclose(file);
+    writeTable(dynamics.grains(), table);
 }
 
 /// The ball comes down on the middle of the bed after fallTime: soft grains find their overlaps meanwhile.
@@ -123,6 +131,74 @@ void silo(const char* table, const char* csv, const char* stl)
     std::fclose(file);
 }
 
+constexpr double drumRadius = 40e-3, drumLength = 32e-3, drumOmega = 2.0, drumTime = 5.0;
+
+/// A drum about y, periodic along it; its surface, of 96 flats, turns in place with `omega`.
+Scene drumScene(double omega)
+{
+    constexpr int flats = 96;
+    Scene scene(3, 0.3, 0.5);
+    scene.materials.setPair(0, 1, {0.2, 0.4});
+    scene.box.length = Vec3(0, drumLength, 0);
+    const int patch = scene.walls.addPatch("drum", 1);
+    std::vector<nscd::Triangle> triangles;
+    const auto at = [](int i, double y)
+    {
+        const double angle = 2*3.14159265358979323846*i/flats;
+        return Vec3(drumRadius*std::cos(angle), y, drumRadius*std::sin(angle));
+    };
+    for (int i = 0; i < flats; ++i)
+    {
+        triangles.push_back({at(i, -2*diameter), at(i + 1, -2*diameter), at(i + 1, drumLength + 2*diameter)});
+        triangles.push_back({at(i, -2*diameter), at(i + 1, drumLength + 2*diameter), at(i, drumLength + 2*diameter)});
+    }
+    scene.walls.addTriangles(patch, triangles);
+    scene.walls.setSurfaceMotion(patch, nscd::turningSurface(Vec3::Zero(), Vec3(0, omega, 0)));
+    return scene;
+}
+
+void settleDrum(const char* table)
+{
+    Scene scene = drumScene(0.0);
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const double pitch = 1.06*diameter;
+    for (int k = -9; k <= 9; ++k) for (int j = 0; j < 7; ++j) for (int i = -9; i <= 9; ++i)
+    {
+        const Vec3 x(pitch*i, drumLength*(j + 0.5)/7, pitch*k);
+        if (std::hypot(x[0], x[2]) > drumRadius - 0.55*diameter || k > 3) continue;
+        scene.addGrain(x + 0.02*diameter*Vec3(unit(random), unit(random), unit(random)), 0.5*diameter);
+    }
+    auto dynamics = scene.build(nscd::ContactSettings());
+    for (int k = 0; k < 300; ++k) step(dynamics, scene.g, 1e-3);
+    for (int k = 0; k < 100; ++k) stepDamped(dynamics, scene.g, 1e-3);
+    writeTable(dynamics.grains(), table);
+}
+
+/// How many of the grains that began at x < 0 are at x < 0, and how many in the lower quarter of the drum's height; mass center's x.
+void drum(const char* table, const char* csv)
+{
+    Scene scene = drumScene(drumOmega);
+    readTable(scene, table);
+    auto dynamics = scene.build(nscd::ContactSettings());
+    std::FILE* file = std::fopen(csv, "w");
+    for (int k = 1; k*1e-3 <= drumTime + 5e-4; ++k)
+    {
+        step(dynamics, scene.g, 1e-3);
+        if (k % 50 != 0) continue;
+        int left = 0, low = 0;
+        for (std::size_t i = 0; i < scene.grains.size(); ++i)
+        {
+            if (scene.grains.position[i][0] >= 0.0) continue;
+            left += dynamics.grains().position[i][0] < 0.0;
+            low += dynamics.grains().position[i][2] < -0.5*drumRadius;
+        }
+        std::fprintf(file, "%.6g %d %d %.6g\n", k*1e-3, left, low, nscd::massCenter(dynamics.grains())[0]);
+        std::fflush(file);
+    }
+    std::fclose(file);
+}
+
 } // namespace
 
 int main(int count, char** arguments)
@@ -130,10 +206,12 @@ int main(int count, char** arguments)
     const auto is = [&](const char* word, int words) { return count == words && std::strcmp(arguments[1], word) == 0; };
     if (is("settle", 3)) settle(arguments[2]);
     else if (is("impact", 4)) impact(arguments[2], arguments[3]);
+    else if (is("settleDrum", 3)) settleDrum(arguments[2]);
+    else if (is("drum", 4)) drum(arguments[2], arguments[3]);
     else if (is("silo", 5)) silo(arguments[2], arguments[3], arguments[4]);
     else
     {
-        std::printf("dryPeers settle TABLE | impact TABLE CSV | silo TABLE CSV STL\n");
+        std::printf("dryPeers settle TABLE | impact TABLE CSV | silo TABLE CSV STL | settleDrum TABLE | drum TABLE CSV\n");
         return 1;
     }
     return 0;
