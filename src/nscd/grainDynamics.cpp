@@ -80,7 +80,7 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     makeWallSearch();
     list = buildContactList(scene(), *wallSearch, reach, movingWalls.reach(*wallSearch, grains, reach, diameter), diameter, *exchange);
     updateGeometry(list, scene());
-    findFarPairs(list);
+    findFastPairs(list);
     assignImpulses(list, std::move(impulses), *exchange);
     markBonds(list);
     isListStale = false;
@@ -105,7 +105,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
             movingWalls.setVelocities(list, grains.shape.emptyAxis);
         }
         while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()));
-        if (!list.farPairs.empty()) aimFarPairs(list, box, deltaT);
+        if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
         prepareSlots(list, kernels, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
         impulseDeltaT = deltaT;
     }

@@ -115,6 +115,7 @@ void grains()
     require("grains that stop at what is not in their way", blocked, 0);
 }
 
+/// Without gravity, whose work a step of 50 d knows to first order only.
 void bed(const Scene& heap, double degrees, double e)
 {
     Scene scene = heap;
@@ -125,19 +126,15 @@ void bed(const Scene& heap, double degrees, double e)
     const std::size_t bullet = scene.grains.size() - 1;
     scene.grains.velocity[bullet] = speed*direction;
     auto dynamics = scene.build(nscd::ContactSettings());
-    const auto energy = [&]
-    {
-        double sum = nscd::kineticEnergy(dynamics.grains());
-        for (std::size_t i = 0; i < dynamics.grains().size(); ++i) sum += dynamics.grains().mass[i]*gravity*dynamics.grains().position[i][2];
-        return sum;
-    };
+    const auto energy = [&] { return nscd::kineticEnergy(dynamics.grains()); };
     const double start = energy(), width = scene.walls.regions[2].point[0];
     double before = start, gain = 0.0, overlap = 0.0;
     int outside = 0;
     for (int k = 0; k < 20; ++k)
     {
-        overlap = std::max(overlap, step(dynamics, scene.g, deltaT).overlapMax);
-        gain = std::max(gain, (energy() - before)/start);
+        const nscd::StepReport report = step(dynamics, Vec3::Zero(), deltaT);
+        overlap = std::max(overlap, report.overlapMax);
+        gain = std::max(gain, (energy() - before - report.solve.shockResidualWork)/start);
         before = energy();
         for (std::size_t i = 0; i < dynamics.grains().size(); ++i)
         {
@@ -151,7 +148,7 @@ void bed(const Scene& heap, double degrees, double e)
     std::printf("S18: at a packed bed, %g degrees, e %g: energy left %.3f\n", degrees, e, energy()/start);
     require("grains behind a wall", outside, 0);
     require("overlap, d", overlap, 5e-3);
-    require("gain of energy in a step, share of the start", gain, 1e-9);
+    require("gain of energy beyond the residual's work, share of the start", gain, 1e-12);
 }
 
 } // namespace
