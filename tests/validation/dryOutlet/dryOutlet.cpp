@@ -18,8 +18,8 @@ using bars::require;
 namespace
 {
 
-constexpr double diameter = 2e-3, radius = 0.5*diameter, spread = 0.1, k = 1.5, deltaT = 5e-4, pi = 3.14159265358979323846;
-constexpr int stepsPerRefill = 20;  // grains come from the list of contacts anew each time
+constexpr double diameter = 2e-3, radius = 0.5*diameter, spread = 0.1, k = 1.5, deltaT = 1e-3, pi = 3.14159265358979323846;
+constexpr int stepsPerRefill = 10;  // grains come from the list of contacts anew each time
 
 /// Sizes in diameters.
 struct Silo
@@ -132,7 +132,7 @@ Scene filled(const Silo& silo)
     return scene;
 }
 
-/// Mass flow [kg/s; of discs kg/s and m] while `fillings` pass, after the first third of a filling has.
+/// Mass flow [kg/s; of discs kg/s and m] while `fillings` pass, after the first quarter of a filling has.
 double flow(const Silo& silo, double fillings)
 {
     const Scene scene = filled(silo);
@@ -145,7 +145,7 @@ double flow(const Silo& silo, double fillings)
         for (int n = 0; n < stepsPerRefill; ++n) step(dynamics, scene.g, deltaT);
         passed += refill(dynamics, silo, random);
         time += stepsPerRefill*deltaT;
-        if (passed < total/3.0) { from = time; massFrom = passed; }
+        if (passed < 0.25*total) { from = time; massFrom = passed; }
     }
     return (passed - massFrom)/(time - from);
 }
@@ -209,8 +209,8 @@ int main(int count, char** arguments)
     }
     else
     {
-        beverloo(csv, 2, 40, 40, {5, 7, 9, 12}, 1.0);
-        head(csv, 2, 40, 9, 30, 60, 2.0);
+        beverloo(csv, 2, 40, 40, {5, 7, 9, 12}, 0.75);
+        head(csv, 2, 40, 9, 30, 60, 1.5);
     }
     return bars::status();
 }

@@ -101,7 +101,7 @@ int main(int count, char** arguments)
 {
     bars::CsvFile csv(arguments[0], "shear", "rate,deltaT,discs,solidFraction,pressure,I,muEff,topX,topZ,bottomX,bottomZ,overlapMax");
     const bool isFull = count > 1 && std::strcmp(arguments[1], "full") == 0;
-    if (isFull) judge(csv, 0.2, 0.1, 0.79, 100, 50, 2.5e-5);
-    else for (double solidFraction : {0.70, 0.75, 0.79}) judge(csv, 0.05, 0.025, solidFraction, 100, 30, 1e-4);
+    if (isFull) judge(csv, 0.2, 0.1, 0.82, 100, 50, 2.5e-5);
+    else for (double solidFraction : {0.80, 0.815, 0.825}) judge(csv, 0.05, 0.025, solidFraction, 100, 100, 1e-4);
     return bars::status();
 }
