@@ -64,6 +64,14 @@ OverlapStatistics measureOverlap(const ContactList& list);
 /// Returns the sweeps made. Units: m
 int correctOverlaps(ContactList& list, const Scene& scene, double deepest, double tolerance, double deadBand);
 
+/// Notes the pairs of grains that may move by much of their size in a step, after the list was built; none in slow scenes.
+void findFastPairs(ContactList& list);
+
+/// Gives fast pairs the normal n they have when they meet, or are nearest, in the free motion (the bodies' velocities), and the gap n.x - R_A - R_B
+/// along it. In the free motion they then stop where they touch, and pass where they miss; whatever else happens to them, they
+/// stay on two sides of a plane: n.x >= R_A + R_B before, and after by the gap rule.
+void aimFastPairs(ContactList& list, const PeriodicBox& box, double deltaT);
+
 /// Sets the bias of the second velocity solve: u_n + e u_n^- >= 0 for closed contacts whose free speed |u_n^-| exceeds the
 /// threshold, u_n >= 0 for the other closed ones. `freeBodies` are the velocities before contact. Returns whether any rebounds.
 bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, double threshold, double deadBand);

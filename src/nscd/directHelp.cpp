@@ -82,14 +82,20 @@ void DirectHelp::complete(SolveReport& report, const StopRule& rule)
 
 std::string warning(const SolveReport& report)
 {
-    if (!(report.hiddenMassRatio > 0.0)) return "";
-    char text[400];
-    std::snprintf
+    char text[600] = "";
+    if (report.hiddenMassRatio > 0.0) std::snprintf
     (
         text, sizeof(text),
         "masses in contact differ by up to 1:%.3g, and the direct method is too dear for this scene or not to be had on several ranks: "
         "velocities have the accuracy asked for, forces under the heavy bodies may not; ask for a finer tolerance where they matter",
         report.hiddenMassRatio
+    );
+    else if (report.hasGainedEnergy()) std::snprintf
+    (
+        text, sizeof(text),
+        "restitution and friction at once would have created %.3g J in a step (Newton's law of impact may): all its rebounds were "
+        "multiplied by %.3g, so that none was",
+        report.shockWork, report.reboundShare
     );
     return text;
 }

@@ -4,7 +4,6 @@
 // The grains' time step.
 #include "grainDynamicsParts.hpp"
 
-#include "andersonAcceleration.hpp"
 #include "invalidValue.hpp"
 #include "isolatedPairs.hpp"
 #include "stopwatch.hpp"
@@ -95,6 +94,7 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     std::vector<WallReach> wallReach = movingWalls.reach(*wallSearch, grains, reach, diameter);
     list = buildContactList(scene(), *wallSearch, reach, std::move(wallReach), diameter, *exchange, std::move(list));
     updateGeometry(list, scene());
+    findFastPairs(list);
     assignImpulses(list, std::move(impulses), *exchange);
     markBonds(list);
     isListStale = false;
@@ -121,6 +121,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
             movingWalls.setVelocities(list, grains.shape.emptyAxis);
         }
         while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()));
+        if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
         chooseKernelsOfStep();
         prepareSlots(list, kernelsOfStep, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
         impulseDeltaT = deltaT;
@@ -157,37 +158,6 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
         report = together(report, solveAndWake(external));
     }
     return report;
-}
-
-void GrainDynamics::Implementation::rebound(const ExternalForces& external, SolveReport& report)
-{
-    std::vector<Body> inelastic = list.bodies;
-    setFreeVelocities(list, grains, external, deltaT, sleep);
-    const std::vector<Body> freeBodies = std::move(list.bodies);
-    list.bodies = std::move(inelastic);
-    // Below twice what the forces add in a step a rebound is noise of a resting contact.
-    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
-
-    ContactProblem problem = makeProblem(external.speedScale);
-    AndersonAcceleration::Impulses beforeShock;
-    gatherImpulses(list.blocks, problem.all(), beforeShock);
-    const RollingSlots rollingBeforeShock = list.rolling;
-    // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
-    ContactSettings shockSettings = settings;
-    shockSettings.displacementTolerance = 1.0;
-    const SolveReport shock = solveBesideIsolated(problem, list.isolatedBlocks, shockSettings, solve);
-    report.sweeps += shock.sweeps;
-    report.newtonSteps += shock.newtonSteps;
-    report.converged = report.converged && shock.converged;
-    report.residualRms = std::max(report.residualRms, shock.residualRms);
-    report.residualMax = std::max(report.residualMax, shock.residualMax);
-    forces = contactForces();
-    // The next step starts from the impulses of the motion, not from those of the shock.
-    for (std::size_t k = 0; k < list.blocks.size(); ++k)
-    {
-        std::copy_n(beforeShock.begin() + static_cast<std::ptrdiff_t>(3*blockLanes*k), 3*blockLanes, &list.blocks[k].r[0][0]);
-    }
-    list.rolling = rollingBeforeShock;
 }
 
 void GrainDynamics::Implementation::correctPositions(StepReport& report)

@@ -9,6 +9,7 @@
 #include "contactStep.hpp"
 #include "grainDynamics.hpp"
 #include "movingWalls.hpp"
+#include "shockWork.hpp"
 #include "storedImpulses.hpp"
 
 namespace nscd
@@ -79,6 +80,7 @@ struct GrainDynamics::Implementation
     void checkReady(const ExternalForces& external) const;
     StepReport restingReport() const;
     void rebound(const ExternalForces& external, SolveReport& report);
+    void limitWork(const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report);
     void correctPositions(StepReport& report);
 };
 

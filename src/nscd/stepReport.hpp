@@ -24,6 +24,13 @@ struct SolveReport
     /// Largest ratio of masses across a loaded contact, where it is so large that forces can be wrong though velocities have
     /// converged, and the direct method could not be used; 0: nothing to fear. See warning().
     double hiddenMassRatio = 0.0;
+    /// Work of the impulses of a step with restitution, from the free velocities to the last ones, and what the residual may have of it
+    /// [J]: work beyond that is energy that Newton's law would create. The rebound is then scaled until nothing is. See shockWork.hpp.
+    double shockWork = 0.0;
+    double shockResidualWork = 0.0;
+    double reboundShare = 1.0;  ///< what was left of the rebound
+
+    bool hasGainedEnergy() const { return shockWork > shockResidualWork; }
 };
 
 struct StepReport
@@ -56,6 +63,12 @@ inline StepReport worstOf(const StepReport& before, const StepReport& next, int 
     if (count == 1) return next;
     StepReport worst = next;
     worst.solve = together(before.solve, next.solve);
+    if (before.solve.reboundShare < next.solve.reboundShare)
+    {
+        worst.solve.shockWork = before.solve.shockWork;
+        worst.solve.shockResidualWork = before.solve.shockResidualWork;
+        worst.solve.reboundShare = before.solve.reboundShare;
+    }
     worst.solve.converged = before.solve.converged && next.solve.converged;
     worst.solve.residualRms = std::max(before.solve.residualRms, next.solve.residualRms);
     worst.solve.residualMax = std::max(before.solve.residualMax, next.solve.residualMax);

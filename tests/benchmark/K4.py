@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """K4: a still bed of 10 000 spheres: sweeps a step, lists built, and what is left when it may sleep."""
 
-from leftOut import bed, bars, measured
+from coreRun import bed
+from leftOut import bars, measured
 
 table = measured("K4", [["skips", "still", bed(20, 25)]])
 bars(table, "K4", ["variant"], "msPerStep", "ms per step (processor)")

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """S30: 1e5 steps of a static bed: what it creeps, and what a step costs."""
 
-from leftOut import bed, bars, measured
+from coreRun import bed
+from leftOut import bars, measured
 
 table = measured("S30", [["skips", "rest", bed(8, 15)]])
 bars(table, "S30", ["variant"], "msPerStep", "ms per step (processor)")

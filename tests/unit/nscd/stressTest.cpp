@@ -65,6 +65,46 @@ TEST(Stress, fastGrainDoesNotTunnelThroughAGrain)
     }
 }
 
+/// An oblique hit far away within the step: the normal is the one at the impact, as in an exact sweep.
+TEST(Stress, fastGrainHitsAGrainAsideAtTheNormalOfTheImpact)
+{
+    for (double aside : {0.2, 0.7, 0.95})
+    {
+        for (double distance : {1.7, 12.0, 49.0, 77.0})
+        {
+            Scene scene(3, 0.0, 1.0);
+            scene.box.length = Vec3(500*radius, 0, 0);
+            scene.addGrain(Vec3(499*radius, 0, 0), radius);
+            scene.addGrain(scene.box.wrap(2*radius*Vec3(distance - 0.5, aside, 0)), radius);
+            const Vec3 start(-50*2*radius/deltaT, 0, 0);
+            scene.grains.velocity[1] = start;
+            auto dynamics = scene.build();
+            for (int k = 0; k < 2; ++k) step(dynamics, Vec3::Zero(), deltaT);
+            const Vec3 n(-std::sqrt(1 - aside*aside), -aside, 0);  // from the one that hits to the one that is hit
+            const Vec3 kick = n.dot(start)*n;
+            EXPECT_NEAR((dynamics.grains().velocity[0] - kick).norm(), 0.0, 1e-8*start.norm()) << aside << " " << distance;
+            EXPECT_NEAR((dynamics.grains().velocity[1] - (start - kick)).norm(), 0.0, 1e-8*start.norm()) << aside << " " << distance;
+        }
+    }
+}
+
+TEST(Stress, fastGrainPassesWhatIsNotInItsWay)
+{
+    for (double aside : {1.01, 1.5, 4.0})
+    {
+        for (double distance : {1.7, 12.0, 49.0})
+        {
+            Scene scene(3, 0.3, 0.5);
+            scene.addGrain(Vec3::Zero(), radius);
+            scene.addGrain(2*radius*Vec3(distance, aside, 0), radius);
+            scene.grains.velocity[1] = Vec3(-50*2*radius/deltaT, 0, 0);
+            auto dynamics = scene.build();
+            for (int k = 0; k < 3; ++k) step(dynamics, Vec3::Zero(), deltaT);
+            EXPECT_NEAR(dynamics.grains().position[1][0], 2*radius*(distance - 150), 1e-12) << aside << " " << distance;
+        }
+    }
+}
+
 TEST(Stress, fastGrainStopsInAPackedBed)
 {
     Scene scene = settled(heap(3, 6, 8, radius, 0.8, 0.4), 300);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The second solve of a step with restitution, and its energy account.
+#include "grainDynamicsParts.hpp"
+
+#include "andersonAcceleration.hpp"
+#include "isolatedPairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+void GrainDynamics::Implementation::rebound(const ExternalForces& external, SolveReport& report)
+{
+    Shock inelastic;
+    inelastic.bodies = list.bodies;
+    setFreeVelocities(list, grains, external, deltaT, sleep);
+    const std::vector<Body> freeBodies = std::move(list.bodies);
+    list.bodies = inelastic.bodies;
+    // Below twice what the forces add in a step a rebound is noise of a resting contact.
+    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
+
+    ContactProblem problem = makeProblem(external.speedScale);
+    gatherImpulses(list.blocks, problem.all(), inelastic.impulses);
+    inelastic.rolling = list.rolling;
+    // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
+    ContactSettings shockSettings = settings;
+    shockSettings.displacementTolerance = 1.0;
+    const SolveReport shock = solveBesideIsolated(problem, list.isolatedBlocks, shockSettings, solve);
+    report.sweeps += shock.sweeps;
+    report.newtonSteps += shock.newtonSteps;
+    report.converged = report.converged && shock.converged;
+    report.residualRms = std::max(report.residualRms, shock.residualRms);
+    report.residualMax = std::max(report.residualMax, shock.residualMax);
+    limitWork(freeBodies, inelastic, shock, report);
+    forces = contactForces();
+    // The next step starts from the impulses of the motion, not from those of the shock.
+    for (std::size_t k = 0; k < list.blocks.size(); ++k)
+    {
+        std::copy_n(inelastic.impulses.begin() + static_cast<std::ptrdiff_t>(3*blockLanes*k), 3*blockLanes, &list.blocks[k].r[0][0]);
+    }
+    list.rolling = inelastic.rolling;
+}
+
+void GrainDynamics::Implementation::limitWork
+(
+    const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report
+)
+{
+    const double residual = shock.residualRms*std::sqrt(static_cast<double>(shock.contacts));
+    const ShockWork account = shockWork(list, freeBodies, residual);
+    report.shockWork = account.work;
+    report.shockResidualWork = account.residualWork;
+    if (report.hasGainedEnergy()) report.reboundShare = limitRebound(list, freeBodies, inelastic);
+}
+
+} // namespace nscd
