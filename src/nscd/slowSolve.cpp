@@ -16,12 +16,14 @@ namespace
 // Measured on solves of landing and settling beds that take plain sweeps 200 to 2000: depth and interval of the mixing matter
 // little (2 to 5, 2 to 4); without the queue one solve in twenty goes to the cap, with it none did.
 constexpr int patience = 10;
+constexpr int coldPatience = 5;
 /// A solve whose defect shrinks faster than this a sweep needs no mixing. Mixing overshoots, and where friction makes impulses
 /// indeterminate an overshoot stays as self-stress: small scenes are better off without.
 constexpr double fastContraction = 0.93;
-/// Mixing every sweep takes cold solves of 10 000 spheres 159 sweeps instead of 224, at the same time; but a bed near rest then keeps
-/// speeds of 4e-5 g dt instead of less than 1e-5, and its wall forces err by 1e-6 of the weight instead of 1e-7.
+/// Solves that start without any impulse mix every sweep. In all, a bed near rest would keep speeds of 4e-5 g dt instead of less than
+/// 1e-5, and its wall forces err by 1e-6 of the weight instead of 1e-7.
 constexpr int sweepsPerMixing = 3;
+constexpr int coldSweepsPerMixing = 1;
 /// A mixing after which the sum of squared defects grows by more than this is taken back.
 constexpr double growthAllowed = 4.0;
 /// Sweeps in which mixing must bring the sum of squared defects below this share, else it pauses: high friction can trap it.
@@ -55,14 +57,18 @@ bool isCold(const ContactProblem& problem)
 SlowSolve::SlowSolve(ContactProblem& problem)
 :
     problem_(problem),
-    isScalingDone_(problem.halo.isParallel() || !isCold(problem))
+    isCold_(isCold(problem)),
+    isScalingDone_(problem.halo.isParallel() || !isCold_)
 {}
 
 int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule)
 {
     if (!anderson_)
     {
-        if (sweeps % patience == 0 && isSlow(sums)) start(sweeps);
+        // What each rank knows of itself.
+        if (sweeps == coldPatience) isCold_ = !problem_.halo.any(!isCold_);
+        const int sweepsToWait = isCold_ ? coldPatience : patience;
+        if (sweeps % sweepsToWait == 0 && isSlow(sweepsToWait, sums)) start(sweeps);
         return 0;
     }
     best_ = std::min(best_, sums.sumSquares);
@@ -76,7 +82,7 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
     }
     if (isLocal(sweeps, sums, rule)) return solveLocally(sweeps, rule);
     if (isScalingDue(sweeps, rule)) scaleLayers(sweeps);
-    else if (sinceMixing_ >= sweepsPerMixing) mix(sums);
+    else if (sinceMixing_ >= (isCold_ ? coldSweepsPerMixing : sweepsPerMixing)) mix(sums);
     return 0;
 }
 
@@ -95,9 +101,9 @@ void SlowSolve::scaleLayers(int sweeps)
     best_ = bestBefore_ = std::numeric_limits<double>::max();
 }
 
-bool SlowSolve::isSlow(const DefectSums& sums)
+bool SlowSolve::isSlow(int sweepsBetween, const DefectSums& sums)
 {
-    const bool isSlow = sums.sumSquares > std::pow(fastContraction, 2*patience)*squaresBefore_;
+    const bool isSlow = sums.sumSquares > std::pow(fastContraction, 2*sweepsBetween)*squaresBefore_;
     squaresBefore_ = sums.sumSquares;
     return isSlow;
 }

@@ -31,7 +31,7 @@ public:
 private:
     bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const;
     int solveLocally(int sweeps, const StopRule& rule);
-    bool isSlow(const DefectSums& sums);
+    bool isSlow(int sweepsBetween, const DefectSums& sums);
     void start(int sweeps);
     void makeMixing();
     void restart();
@@ -42,6 +42,7 @@ private:
     void scaleLayers(int sweeps);
 
     ContactProblem& problem_;
+    bool isCold_;               ///< started without any impulse (here, until all ranks were asked)
     bool isScalingDone_;
     std::unique_ptr<AndersonAcceleration> anderson_;
     AndersonAcceleration::Impulses start_;      ///< impulses after the last mixing
