@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Anderson mixing with a safeguard, and a queue for the last bad contacts.
+// Anderson mixing or momentum with a safeguard, and a queue for the last bad contacts.
 #include "slowSolve.hpp"
 
 #include <algorithm>
@@ -20,10 +20,9 @@ constexpr int coldPatience = 5;
 /// A solve whose defect shrinks faster than this a sweep needs no mixing. Mixing overshoots, and where friction makes impulses
 /// indeterminate an overshoot stays as self-stress: small scenes are better off without.
 constexpr double fastContraction = 0.93;
-/// Solves that start without any impulse mix every sweep. In all, a bed near rest would keep speeds of 4e-5 g dt instead of less than
-/// 1e-5, and its wall forces err by 1e-6 of the weight instead of 1e-7.
+/// Mixed every sweep, a bed near rest keeps speeds of 4e-5 g dt instead of less than 1e-5, and its wall forces err by 1e-6 of the weight
+/// instead of 1e-7.
 constexpr int sweepsPerMixing = 3;
-constexpr int coldSweepsPerMixing = 1;
 /// A mixing after which the sum of squared defects grows by more than this is taken back.
 constexpr double growthAllowed = 4.0;
 /// Sweeps in which mixing must bring the sum of squared defects below this share, else it pauses: high friction can trap it.
@@ -31,13 +30,6 @@ constexpr double leastProgress = 0.9;
 constexpr int probation = 60;
 constexpr int sweepsBetweenQueues = 10;
 constexpr std::size_t sweepsPerQueue = 20;
-/// Solves to this tolerance or a finer one scale layers when they start cold. A coarser one is met before weight has come down through
-/// a deep bed, and sooner without: what is missing follows in the next steps.
-constexpr double fineTolerance = 3e-3;
-/// Layers are scaled this often, until it changes little or for a limited number of times: near the solution it only disturbs.
-constexpr int sweepsPerScaling = 20;
-constexpr double smallScaling = 0.1;
-constexpr int mostScalings = 15;
 
 /// Whether no contact carries an impulse.
 bool isCold(const ContactProblem& problem)
@@ -57,13 +49,12 @@ bool isCold(const ContactProblem& problem)
 SlowSolve::SlowSolve(ContactProblem& problem)
 :
     problem_(problem),
-    isCold_(isCold(problem)),
-    isScalingDone_(problem.halo.isParallel() || !isCold_)
+    isCold_(isCold(problem))
 {}
 
 int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule)
 {
-    if (!anderson_)
+    if (!anderson_ && !momentum_)
     {
         // What each rank knows of itself.
         if (sweeps == coldPatience) isCold_ = !problem_.halo.any(!isCold_);
@@ -81,24 +72,14 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
         return 0;
     }
     if (isLocal(sweeps, sums, rule)) return solveLocally(sweeps, rule);
-    if (isScalingDue(sweeps, rule)) scaleLayers(sweeps);
-    else if (sinceMixing_ >= (isCold_ ? coldSweepsPerMixing : sweepsPerMixing)) mix(sums);
+    if (isMixingDue(sums, rule)) mix(sums);
     return 0;
 }
 
-bool SlowSolve::isScalingDue(int sweeps, const StopRule& rule) const
+bool SlowSolve::isMixingDue(const DefectSums& sums, const StopRule& rule) const
 {
-    return !isScalingDone_ && sweeps % sweepsPerScaling == 0 && rule.rmsLimit <= fineTolerance*rule.speedScale;
-}
-
-void SlowSolve::scaleLayers(int sweeps)
-{
-    if (!layers_) layers_ = std::make_unique<LayerScaling>(problem_);
-    isScalingDone_ = layers_->apply() < smallScaling || ++scalings_ == mostScalings;
-    restart();
-    // Scaling trades balance of the whole for balance of each grain: what mixing achieves is measured from here.
-    endOfTerm_ = sweeps + probation;
-    best_ = bestBefore_ = std::numeric_limits<double>::max();
+    // Momentum would lead out of the rule again while a solution is polished.
+    return momentum_ ? !rule.isMet(sums) : sinceMixing_ >= sweepsPerMixing;
 }
 
 bool SlowSolve::isSlow(int sweepsBetween, const DefectSums& sums)
@@ -116,20 +97,33 @@ void SlowSolve::start(int sweeps)
 
 void SlowSolve::makeMixing()
 {
-    anderson_.reset();  // before the new one asks for as much memory
-    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences, problem_.halo);
+    if (isCold_)
+    {
+        if (!momentum_) momentum_ = std::make_unique<SweepMomentum>(problem_);
+    }
+    else
+    {
+        anderson_.reset();  // before the new one asks for as much memory
+        anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences, problem_.halo);
+    }
     restart();
 }
 
 void SlowSolve::forget()
 {
     queue_.reset();
-    if (anderson_) makeMixing();
+    if (anderson_ || momentum_) makeMixing();
+}
+
+void SlowSolve::forgetDirections()
+{
+    if (momentum_) momentum_->forget();
+    else anderson_->forget();
 }
 
 void SlowSolve::restart()
 {
-    anderson_->forget();
+    forgetDirections();
     gatherImpulses(problem_.blocks, problem_.active(), start_);
     sinceMixing_ = 0;
     isMixed_ = false;
@@ -148,7 +142,9 @@ void SlowSolve::judgeTerm(int sweeps)
 void SlowSolve::mix(const DefectSums& sums)
 {
     squaresBefore_ = sums.sumSquares;
-    anderson_->mix(problem_.blocks, start_);
+    if (momentum_ && sinceMixing_ > 1) momentum_->forget();
+    if (momentum_) momentum_->mix(start_);
+    else anderson_->mix(problem_.blocks, start_);
     replaceImpulses(problem_, start_);
     sinceMixing_ = 0;
     isMixed_ = true;
@@ -156,9 +152,9 @@ void SlowSolve::mix(const DefectSums& sums)
 
 void SlowSolve::revert()
 {
-    start_ = anderson_->image();
+    start_ = momentum_ ? momentum_->image() : anderson_->image();
     replaceImpulses(problem_, start_);
-    anderson_->forget();
+    forgetDirections();
     sinceMixing_ = 0;
     isMixed_ = false;
 }

@@ -28,14 +28,20 @@ inline Scene emptyPeriodicBed(double width, double depth)
     return scene;
 }
 
-/// The bed in a file of `rankedBed settle` or `coldSolve settle`: the two periods, then a position a line.
-inline Scene readBed(const std::string& path)
+/// The bed in a file of `rankedBed settle` or `coldSolve settle`: the two periods, then a position a line; `tiles` times `tiles` of it.
+inline Scene readBed(const std::string& path, int tiles = 1)
 {
     std::ifstream file(path);
     double width, depth;
     if (!(file >> width >> depth)) throw std::runtime_error("cannot read " + path);
-    Scene scene = emptyPeriodicBed(width, depth);
-    for (Vec3 x; file >> x[0] >> x[1] >> x[2];) scene.addGrain(x, bedRadius, bedDensity);
+    Scene scene = emptyPeriodicBed(tiles*width, tiles*depth);
+    for (Vec3 x; file >> x[0] >> x[1] >> x[2];)
+    {
+        for (int tile = 0; tile < tiles*tiles; ++tile)
+        {
+            scene.addGrain(x + Vec3((tile % tiles)*width, (tile/tiles)*depth, 0.0), bedRadius, bedDensity);
+        }
+    }
     return scene;
 }
 
