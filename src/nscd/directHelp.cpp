@@ -4,6 +4,7 @@
 // Prices and masses.
 #include "directHelp.hpp"
 
+#include "capGuard.hpp"
 #include "directSolve.hpp"
 
 #include <algorithm>
@@ -80,7 +81,10 @@ void DirectHelp::complete(SolveReport& report, const StopRule& rule)
     report.newtonSteps = newtonSteps_;
 }
 
-std::string warning(const SolveReport& report)
+namespace
+{
+
+std::string massWarning(const SolveReport& report)
 {
     if (!(report.hiddenMassRatio > 0.0)) return "";
     char text[400];
@@ -92,6 +96,14 @@ std::string warning(const SolveReport& report)
         report.hiddenMassRatio
     );
     return text;
+}
+
+} // namespace
+
+std::string warning(const SolveReport& report)
+{
+    const std::string mass = massWarning(report), cap = capWarning(report);
+    return mass + (mass.empty() || cap.empty() ? "" : "; and ") + cap;
 }
 
 } // namespace nscd

@@ -111,7 +111,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
-    return solve(problem, settings);
+    return solve(problem, capGuard.apply(settings));
 }
 
 SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
@@ -161,7 +161,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     gatherImpulses(list.blocks, problem.all(), beforeShock);
     const RollingSlots rollingBeforeShock = list.rolling;
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
-    ContactSettings shockSettings = settings;
+    ContactSettings shockSettings = capGuard.apply(settings);
     shockSettings.displacementTolerance = 1.0;
     const SolveReport shock = solve(problem, shockSettings);
     report.sweeps += shock.sweeps;
@@ -285,6 +285,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
         self.sleep.fallAsleep(self.list, self.grains, external, report.solve.speedScale, self.deadBand());
         report.asleep = self.sleep.count();
     }
+    self.capGuard.note(report.solve, self.settings);
     self.lastReport = report;
     self.isStepBegun = false;
     return report;

@@ -124,6 +124,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     Implementation& self = *self_;
     lastDeltaT = self.impulseDeltaT;
     self.sleep.wakeAll();
+    self.capGuard.reset();
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
     self.isListStale = true;
@@ -137,6 +138,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.restored = byIndex(impulses, self.grains);
     self.impulseDeltaT = lastDeltaT;
     self.sleep.wakeAll();
+    self.capGuard.reset();
     self.list = ContactList();
     self.isListStale = true;
     self.isStepBegun = false;

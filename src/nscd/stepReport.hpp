@@ -23,6 +23,9 @@ struct SolveReport
     /// Largest ratio of masses across a loaded contact, where it is so large that forces can be wrong though velocities have
     /// converged, and the direct method could not be used; 0: nothing to fear. See warning().
     double hiddenMassRatio = 0.0;
+    /// Cap on sweeps in force instead of `userCap`, since that was too small for step after step; 0: not so. See warning().
+    int raisedCap = 0;
+    int userCap = 0;
 };
 
 struct StepReport
@@ -48,6 +51,7 @@ inline StepReport worstOf(const StepReport& before, const StepReport& next, int 
     worst.solve.sweeps += before.solve.sweeps;
     worst.solve.newtonSteps += before.solve.newtonSteps;
     worst.solve.hiddenMassRatio = std::max(before.solve.hiddenMassRatio, next.solve.hiddenMassRatio);
+    worst.solve.raisedCap = std::max(before.solve.raisedCap, next.solve.raisedCap);
     worst.solve.converged = before.solve.converged && next.solve.converged;
     worst.solve.residualRms = std::max(before.solve.residualRms, next.solve.residualRms);
     worst.solve.residualMax = std::max(before.solve.residualMax, next.solve.residualMax);

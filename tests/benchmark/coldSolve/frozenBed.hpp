@@ -45,11 +45,10 @@ inline Scene readBed(const std::string& path, int tiles = 1)
     return scene;
 }
 
-/// Lets a jittered lattice, 1.1 d apart, settle in a viscous medium, and writes it to a file.
-inline void settleBed(const std::string& path, int perSide, int layers, int steps)
+/// Adds a jittered lattice, 1.1 d apart.
+inline void addLattice(Scene& scene, int perSide, int layers)
 {
     const double spacing = 2.2*bedRadius;
-    Scene scene = emptyPeriodicBed(perSide*spacing, perSide*spacing);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int k = 0; k < layers; ++k)
@@ -59,6 +58,13 @@ inline void settleBed(const std::string& path, int perSide, int layers, int step
         const Vec3 shake = 0.09*bedRadius*Vec3(unit(random), unit(random), unit(random));
         scene.addGrain(spacing*Vec3(i + 0.5, j + 0.5, k + 0.5) + shake, bedRadius, bedDensity);
     }
+}
+
+/// Lets a lattice settle in a viscous medium, and writes it to a file.
+inline void settleBed(const std::string& path, int perSide, int layers, int steps)
+{
+    Scene scene = emptyPeriodicBed(2.2*bedRadius*perSide, 2.2*bedRadius*perSide);
+    addLattice(scene, perSide, layers);
     auto dynamics = scene.build(nscd::ContactSettings());
     for (int k = 0; k < steps; ++k) stepDamped(dynamics, scene.g, bedDeltaT);
     std::ofstream file(path);
