@@ -18,7 +18,7 @@ namespace nscd
 class CapGuard
 {
 public:
-    static constexpr int patience = 10;
+    static constexpr int patience = 5;
     /// The default cap.
     static constexpr int enough = 1000;
 
