@@ -4,6 +4,7 @@
 // Prices and masses.
 #include "directHelp.hpp"
 
+#include "capGuard.hpp"
 #include "directSolve.hpp"
 
 #include <algorithm>
@@ -80,7 +81,10 @@ void DirectHelp::complete(SolveReport& report, const StopRule& rule)
     report.newtonSteps = newtonSteps_;
 }
 
-std::string warning(const SolveReport& report)
+namespace
+{
+
+std::string massWarning(const SolveReport& report)
 {
     char text[600] = "";
     if (report.hiddenMassRatio > 0.0) std::snprintf
@@ -98,6 +102,14 @@ std::string warning(const SolveReport& report)
         report.shockWork, report.reboundShare
     );
     return text;
+}
+
+} // namespace
+
+std::string warning(const SolveReport& report)
+{
+    const std::string mass = massWarning(report), cap = capWarning(report);
+    return mass + (mass.empty() || cap.empty() ? "" : "; and ") + cap;
 }
 
 } // namespace nscd

@@ -129,7 +129,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
-    return solveBesideIsolated(problem, list.isolatedBlocks, settings, solve);
+    return solveBesideIsolated(problem, list.isolatedBlocks, capGuard.apply(settings), solve);
 }
 
 SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
@@ -274,6 +274,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
         self.sleep.fallAsleep(self.list, self.grains, external, report.solve.speedScale, self.deadBand());
         report.asleep = self.sleep.count();
     }
+    self.capGuard.note(report.solve, self.settings);
     self.lastReport = report;
     self.isStepBegun = false;
     return report;

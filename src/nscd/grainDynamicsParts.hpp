@@ -4,6 +4,7 @@
 // What a GrainDynamics holds; seen by its own source files only.
 #pragma once
 
+#include "capGuard.hpp"
 #include "contactList.hpp"
 #include "contactSolver.hpp"
 #include "contactStep.hpp"
@@ -45,6 +46,7 @@ struct GrainDynamics::Implementation
     double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
     ImpulseRecord restored;
     IslandSleep sleep;
+    CapGuard capGuard;
     StepReport lastReport;
     bool isStepBegun = false;
     ImpulseRecord beforeStep;     // kept where there is cohesion

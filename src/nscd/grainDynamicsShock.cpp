@@ -27,7 +27,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     gatherImpulses(list.blocks, problem.all(), inelastic.impulses);
     inelastic.rolling = list.rolling;
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
-    ContactSettings shockSettings = settings;
+    ContactSettings shockSettings = capGuard.apply(settings);
     shockSettings.displacementTolerance = 1.0;
     const SolveReport shock = solveBesideIsolated(problem, list.isolatedBlocks, shockSettings, solve);
     report.sweeps += shock.sweeps;

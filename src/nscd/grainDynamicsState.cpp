@@ -160,6 +160,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     Implementation& self = *self_;
     lastDeltaT = self.impulseDeltaT;
     self.sleep.wakeAll();
+    self.capGuard.reset();
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
     self.stepsPerList = fewestStepsPerList;
@@ -180,6 +181,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.restored = byIndex(impulses, self.grains);
     self.impulseDeltaT = lastDeltaT;
     self.sleep.wakeAll();
+    self.capGuard.reset();
     self.list = ContactList();
     self.stepsPerList = fewestStepsPerList;
     self.isListStale = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Anderson mixing with a safeguard, and a queue for the last bad contacts.
+// Anderson mixing or momentum with a safeguard, and a queue for the last bad contacts.
 #include "slowSolve.hpp"
 
 #include <algorithm>
@@ -16,11 +16,12 @@ namespace
 // Measured on solves of landing and settling beds that take plain sweeps 200 to 2000: depth and interval of the mixing matter
 // little (2 to 5, 2 to 4); without the queue one solve in twenty goes to the cap, with it none did.
 constexpr int patience = 10;
+constexpr int coldPatience = 5;
 /// A solve whose defect shrinks faster than this a sweep needs no mixing. Mixing overshoots, and where friction makes impulses
 /// indeterminate an overshoot stays as self-stress: small scenes are better off without.
 constexpr double fastContraction = 0.93;
-/// Mixing every sweep takes cold solves of 10 000 spheres 159 sweeps instead of 224, at the same time; but a bed near rest then keeps
-/// speeds of 4e-5 g dt instead of less than 1e-5, and its wall forces err by 1e-6 of the weight instead of 1e-7.
+/// Mixed every sweep, a bed near rest keeps speeds of 4e-5 g dt instead of less than 1e-5, and its wall forces err by 1e-6 of the weight
+/// instead of 1e-7.
 constexpr int sweepsPerMixing = 3;
 /// A mixing after which the sum of squared defects grows by more than this is taken back.
 constexpr double growthAllowed = 4.0;
@@ -29,13 +30,6 @@ constexpr double leastProgress = 0.9;
 constexpr int probation = 60;
 constexpr int sweepsBetweenQueues = 10;
 constexpr std::size_t sweepsPerQueue = 20;
-/// Solves to this tolerance or a finer one scale layers when they start cold. A coarser one is met before weight has come down through
-/// a deep bed, and sooner without: what is missing follows in the next steps.
-constexpr double fineTolerance = 3e-3;
-/// Layers are scaled this often, until it changes little or for a limited number of times: near the solution it only disturbs.
-constexpr int sweepsPerScaling = 20;
-constexpr double smallScaling = 0.1;
-constexpr int mostScalings = 15;
 
 /// Whether no contact carries an impulse.
 bool isCold(const ContactProblem& problem)
@@ -55,14 +49,17 @@ bool isCold(const ContactProblem& problem)
 SlowSolve::SlowSolve(ContactProblem& problem)
 :
     problem_(problem),
-    isScalingDone_(problem.halo.isParallel() || !isCold(problem))
+    isCold_(isCold(problem))
 {}
 
 int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule)
 {
-    if (!anderson_)
+    if (!anderson_ && !momentum_)
     {
-        if (sweeps % patience == 0 && isSlow(sums)) start(sweeps);
+        // What each rank knows of itself.
+        if (sweeps == coldPatience) isCold_ = !problem_.halo.any(!isCold_);
+        const int sweepsToWait = isCold_ ? coldPatience : patience;
+        if (sweeps % sweepsToWait == 0 && isSlow(sweepsToWait, sums)) start(sweeps);
         return 0;
     }
     best_ = std::min(best_, sums.sumSquares);
@@ -75,29 +72,19 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
         return 0;
     }
     if (isLocal(sweeps, sums, rule)) return solveLocally(sweeps, rule);
-    if (isScalingDue(sweeps, rule)) scaleLayers(sweeps);
-    else if (sinceMixing_ >= sweepsPerMixing) mix(sums);
+    if (isMixingDue(sums, rule)) mix(sums);
     return 0;
 }
 
-bool SlowSolve::isScalingDue(int sweeps, const StopRule& rule) const
+bool SlowSolve::isMixingDue(const DefectSums& sums, const StopRule& rule) const
 {
-    return !isScalingDone_ && sweeps % sweepsPerScaling == 0 && rule.rmsLimit <= fineTolerance*rule.speedScale;
+    // Momentum would lead out of the rule again while a solution is polished.
+    return momentum_ ? !rule.isMet(sums) : sinceMixing_ >= sweepsPerMixing;
 }
 
-void SlowSolve::scaleLayers(int sweeps)
+bool SlowSolve::isSlow(int sweepsBetween, const DefectSums& sums)
 {
-    if (!layers_) layers_ = std::make_unique<LayerScaling>(problem_);
-    isScalingDone_ = layers_->apply() < smallScaling || ++scalings_ == mostScalings;
-    restart();
-    // Scaling trades balance of the whole for balance of each grain: what mixing achieves is measured from here.
-    endOfTerm_ = sweeps + probation;
-    best_ = bestBefore_ = std::numeric_limits<double>::max();
-}
-
-bool SlowSolve::isSlow(const DefectSums& sums)
-{
-    const bool isSlow = sums.sumSquares > std::pow(fastContraction, 2*patience)*squaresBefore_;
+    const bool isSlow = sums.sumSquares > std::pow(fastContraction, 2*sweepsBetween)*squaresBefore_;
     squaresBefore_ = sums.sumSquares;
     return isSlow;
 }
@@ -110,20 +97,33 @@ void SlowSolve::start(int sweeps)
 
 void SlowSolve::makeMixing()
 {
-    anderson_.reset();  // before the new one asks for as much memory
-    anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences, problem_.halo);
+    if (isCold_)
+    {
+        if (!momentum_) momentum_ = std::make_unique<SweepMomentum>(problem_);
+    }
+    else
+    {
+        anderson_.reset();  // before the new one asks for as much memory
+        anderson_ = std::make_unique<AndersonAcceleration>(problem_.active(), problem_.kernels.addDifferences, problem_.halo);
+    }
     restart();
 }
 
 void SlowSolve::forget()
 {
     queue_.reset();
-    if (anderson_) makeMixing();
+    if (anderson_ || momentum_) makeMixing();
+}
+
+void SlowSolve::forgetDirections()
+{
+    if (momentum_) momentum_->forget();
+    else anderson_->forget();
 }
 
 void SlowSolve::restart()
 {
-    anderson_->forget();
+    forgetDirections();
     gatherImpulses(problem_.blocks, problem_.active(), start_);
     sinceMixing_ = 0;
     isMixed_ = false;
@@ -142,7 +142,9 @@ void SlowSolve::judgeTerm(int sweeps)
 void SlowSolve::mix(const DefectSums& sums)
 {
     squaresBefore_ = sums.sumSquares;
-    anderson_->mix(problem_.blocks, start_);
+    if (momentum_ && sinceMixing_ > 1) momentum_->forget();
+    if (momentum_) momentum_->mix(start_);
+    else anderson_->mix(problem_.blocks, start_);
     replaceImpulses(problem_, start_);
     sinceMixing_ = 0;
     isMixed_ = true;
@@ -150,9 +152,9 @@ void SlowSolve::mix(const DefectSums& sums)
 
 void SlowSolve::revert()
 {
-    start_ = anderson_->image();
+    start_ = momentum_ ? momentum_->image() : anderson_->image();
     replaceImpulses(problem_, start_);
-    anderson_->forget();
+    forgetDirections();
     sinceMixing_ = 0;
     isMixed_ = false;
 }

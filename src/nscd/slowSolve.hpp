@@ -6,7 +6,7 @@
 
 #include "andersonAcceleration.hpp"
 #include "contactQueue.hpp"
-#include "layerScaling.hpp"
+#include "sweepMomentum.hpp"
 
 #include <limits>
 #include <memory>
@@ -14,8 +14,8 @@
 namespace nscd
 {
 
-/// Watches the sweeps of one solve. After some sweeps it mixes iterates, which shortens what is slow everywhere (weight passed
-/// down through layers); when all that is left is a few bad contacts it works those off by a queue, since clusters that wedge
+/// Watches the sweeps of one solve. After some sweeps it mixes iterates, or gives them momentum where the solve began without any
+/// impulse, which shortens what is slow everywhere (weight passed down through layers); when all that is left is a few bad contacts it works those off by a queue, since clusters that wedge
 /// or slip take hundreds of visits and would otherwise make as many sweeps over everything.
 class SlowSolve
 {
@@ -31,23 +31,22 @@ public:
 private:
     bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const;
     int solveLocally(int sweeps, const StopRule& rule);
-    bool isSlow(const DefectSums& sums);
+    bool isSlow(int sweepsBetween, const DefectSums& sums);
     void start(int sweeps);
     void makeMixing();
     void restart();
     void judgeTerm(int sweeps);
     void mix(const DefectSums& sums);
     void revert();
-    bool isScalingDue(int sweeps, const StopRule& rule) const;
-    void scaleLayers(int sweeps);
+    bool isMixingDue(const DefectSums& sums, const StopRule& rule) const;
+    void forgetDirections();
 
     ContactProblem& problem_;
-    bool isScalingDone_;
+    bool isCold_;               ///< started without any impulse (here, until all ranks were asked)
     std::unique_ptr<AndersonAcceleration> anderson_;
+    std::unique_ptr<SweepMomentum> momentum_;   ///< in its place in a cold solve
     AndersonAcceleration::Impulses start_;      ///< impulses after the last mixing
     std::unique_ptr<ContactQueue> queue_;
-    std::unique_ptr<LayerScaling> layers_;
-    int scalings_ = 0;
     int sinceMixing_ = 0;
     int lastLocal_ = 0;
     bool isMixed_ = false;

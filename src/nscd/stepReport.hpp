@@ -24,6 +24,9 @@ struct SolveReport
     /// Largest ratio of masses across a loaded contact, where it is so large that forces can be wrong though velocities have
     /// converged, and the direct method could not be used; 0: nothing to fear. See warning().
     double hiddenMassRatio = 0.0;
+    /// Cap on sweeps in force instead of `userCap`, since that was too small for step after step; 0: not so. See warning().
+    int raisedCap = 0;
+    int userCap = 0;
     /// Work of the impulses of a step with restitution, from the free velocities to the last ones, and what the residual may have of it
     /// [J]: work beyond that is energy that Newton's law would create. The rebound is then scaled until nothing is. See shockWork.hpp.
     double shockWork = 0.0;
@@ -69,6 +72,7 @@ inline StepReport worstOf(const StepReport& before, const StepReport& next, int 
         worst.solve.shockResidualWork = before.solve.shockResidualWork;
         worst.solve.reboundShare = before.solve.reboundShare;
     }
+    worst.solve.raisedCap = std::max(before.solve.raisedCap, next.solve.raisedCap);
     worst.solve.converged = before.solve.converged && next.solve.converged;
     worst.solve.residualRms = std::max(before.solve.residualRms, next.solve.residualRms);
     worst.solve.residualMax = std::max(before.solve.residualMax, next.solve.residualMax);

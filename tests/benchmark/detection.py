@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """What finding contacts costs a grain and build, in parts: settled beds, a loose lattice, grains of two sizes."""
 
-from leftOut import bed, measured
+from coreRun import bed
+from leftOut import measured
 from results import pyplot, savePicture
 
 PARTS = ["sortNs", "searchNs", "batchesNs"]

@@ -3,7 +3,8 @@
 //
 // What each solver takes to solve a settled bed from cold, as CSV.
 // coldSolve settle FILE perSide layers steps       makes a bed with periodic sides
-// coldSolve sweeps FILE samples maxSweeps SOLVER   sweeps and work to 1e-2 and 1e-3, mean of so many slightly different problems
+// coldSolve sweeps FILE samples maxSweeps SOLVER [tiles]   sweeps and work to 1e-2 and 1e-3, mean of so many slightly different problems;
+//                                                  of a bed of tiles x tiles times FILE
 // coldSolve history FILE maxSweeps SOLVER          residual after 1, 2, 4, ... sweeps
 // SOLVER: a name the library knows, or plain for NLGS without help. Work is time in units of a plain sweep, timed in the same run.
 #include "benchmark/coldSolve/frozenBed.hpp"
@@ -109,13 +110,14 @@ int main(int argc, char** argv)
         settleBed(argv[2], number(argv[3]), number(argv[4]), number(argv[5]));
         return 0;
     }
-    if ((what == "sweeps" && argc == 6) || (what == "history" && argc == 5))
+    if ((what == "sweeps" && (argc == 6 || argc == 7)) || (what == "history" && argc == 5))
     {
-        FrozenBed bed(TiledBed(argv[2], 1, 1).whole());
+        const int tiles = what == "sweeps" && argc == 7 ? number(argv[6]) : 1;
+        FrozenBed bed(TiledBed(argv[2], tiles, tiles).whole());
         if (what == "sweeps") countSweeps(bed, number(argv[3]), number(argv[4]), argv[5]);
         else printHistory(bed, number(argv[3]), argv[4]);
         return 0;
     }
-    std::printf("coldSolve settle FILE PERSIDE LAYERS STEPS | sweeps FILE SAMPLES MAXSWEEPS SOLVER | history FILE MAXSWEEPS SOLVER\n");
+    std::printf("coldSolve settle FILE PERSIDE LAYERS STEPS | sweeps FILE SAMPLES MAXSWEEPS SOLVER [TILES] | history FILE MAXSWEEPS SOLVER\n");
     return 1;
 }

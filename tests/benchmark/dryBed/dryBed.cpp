@@ -109,6 +109,7 @@ int main(int argc, char** argv)
     const Options o = read(argc, argv);
     nscd::ContactSettings settings;
     settings.maxSweeps = int(o.at("maxSweeps"));
+    settings.raiseCap = false;
     settings.accelerate = o.at("accelerate") != 0;
     auto dynamics = lattice(o).build(settings);
     const double deltaT = o.at("deltaT"), width = o.at("spacing")*diameter*o.at("nx");

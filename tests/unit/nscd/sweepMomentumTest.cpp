@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Momentum of sweeps: its first iterates by hand, and what it does for a cold column.
+#include "scenes.hpp"
+#include "sweepKernels.hpp"
+#include "sweepMomentum.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace scenes;
+
+namespace
+{
+
+/// A column of unit masses and diameters, each grain falling at unit speed, and no impulses.
+struct Column
+{
+    std::vector<nscd::Body> bodies;
+    std::vector<nscd::ContactBlock> blocks;
+    std::vector<std::uint32_t> awake;
+    std::vector<Vec3> position;
+    nscd::Halo alone;
+    nscd::SweepKernels kernels = nscd::chooseKernels("portable");
+
+    Column(int size, const Vec3& up)
+    {
+        for (int i = 0; i < size; ++i)
+        {
+            position.push_back((i + 0.5)*up);
+            bodies.push_back({{-up[0], -up[1], -up[2]}, 1.0, {0, 0, 0}, 2.5});
+            nscd::ContactBlock block{};
+            std::fill(block.a, block.a + nscd::blockLanes, size);
+            std::fill(block.b, block.b + nscd::blockLanes, size);
+            block.a[0] = i;
+            block.b[0] = i > 0 ? i - 1 : size;
+            block.invWn[0] = i > 0 ? 0.5 : 1.0;
+            block.invWt[0] = i > 0 ? 1.0/7.0 : 1.0/3.5;
+            for (int m = 0; m < 3; ++m) block.n[m][0] = up[m];
+            blocks.push_back(block);
+            awake.push_back(i);
+        }
+        bodies.push_back({{0, 0, 0}, 0.0, {0, 0, 0}, 0.0});
+    }
+
+    nscd::ContactProblem problem()
+    {
+        return {bodies, blocks, awake, blocks.size(), alone, kernels, true, 1e-3, 1.0, 1.0, position};
+    }
+};
+
+/// theta of the iteration of Nesterov, by itself.
+double nextTheta(double& t)
+{
+    const double next = 0.5*(1.0 + std::sqrt(1.0 + 4.0*t*t)), theta = (t - 1.0)/next;
+    t = next;
+    return theta;
+}
+
+/// Sets the impulse of the only contact, as a sweep would, and lets momentum act. Returns y.
+double mixTo(double impulse, Column& column, nscd::SweepMomentum& momentum, nscd::SweepMomentum::Impulses& y)
+{
+    column.blocks[0].r[2][0] = impulse;
+    momentum.mix(y);
+    return y[2*nscd::blockLanes];
+}
+
+} // namespace
+
+TEST(SweepMomentum, followsNesterovUntilAStepGoesUphill)
+{
+    Column column(1, Vec3::UnitZ());
+    nscd::ContactProblem problem = column.problem();
+    nscd::SweepMomentum momentum(problem);
+    nscd::SweepMomentum::Impulses y(3*nscd::blockLanes, 0.0);
+    EXPECT_EQ(mixTo(1.0, column, momentum, y), 1.0);
+    double r = 1.0, t = 1.0;
+    for (int k = 0; k < 8; ++k)
+    {
+        const double before = r;
+        r = y[2*nscd::blockLanes] + 0.5;
+        const double expected = r + nextTheta(t)*(r - before);
+        EXPECT_NEAR(mixTo(r, column, momentum, y), expected, 1e-14);
+        EXPECT_EQ(momentum.image()[2*nscd::blockLanes], r);
+    }
+    // The sweep turns back, though not behind the last image: no momentum for once, then from the start again.
+    const double before = r;
+    r = y[2*nscd::blockLanes] - 0.01;
+    ASSERT_GT(r, before);
+    t = 1.0;
+    EXPECT_NEAR(mixTo(r, column, momentum, y), r, 1e-14);
+    nextTheta(t);
+    EXPECT_NEAR(mixTo(r + 1.0, column, momentum, y), r + 1.0 + nextTheta(t), 1e-14);
+}
+
+TEST(SweepMomentum, isLimitedByTheDepthAlongTheFall)
+{
+    const auto limitOf = [](int size, const Vec3& up)
+    {
+        Column column(size, up);
+        nscd::ContactProblem problem = column.problem();
+        nscd::SweepMomentum momentum(problem);
+        nscd::SweepMomentum::Impulses y(3*nscd::blockLanes*size, 0.0);
+        double r = 0.0, theta = 0.0;
+        for (int k = 0; k < 2000; ++k)
+        {
+            const double before = r;
+            r = y[0] + 1.0;
+            column.blocks[0].r[0][0] = r;
+            momentum.mix(y);
+            theta = (y[0] - r)/(r - before);
+        }
+        return theta;
+    };
+    EXPECT_NEAR(limitOf(51, Vec3::UnitZ()), 1.0 - 1.2/50.0, 1e-9);
+    EXPECT_NEAR(limitOf(51, Vec3(1, -2, 2)/3.0), 1.0 - 1.2/50.0, 1e-9);
+    EXPECT_NEAR(limitOf(5, Vec3::UnitZ()), 0.9, 1e-9);
+    EXPECT_NEAR(limitOf(400, Vec3::UnitZ()), 0.99, 1e-9);
+}
+
+// Plain sweeps take ln(1e4) (2 N + 1)^2/pi^2 = 13 700 for it.
+TEST(SweepMomentum, bringsTheWeightOfAColdColumnDown)
+{
+    Column column(60, Vec3::UnitZ());
+    nscd::ContactProblem problem = column.problem();
+    nscd::ContactSettings settings;
+    settings.tolerance = 1e-4;
+    settings.displacementTolerance = 1.0;
+    settings.polishSweeps = 0;
+    const nscd::SolveReport report = nscd::solveNlgs(problem, settings);
+    EXPECT_TRUE(report.converged);
+    EXPECT_EQ(report.newtonSteps, 0);
+    EXPECT_LT(report.sweeps, 400);
+    EXPECT_NEAR(column.blocks[0].r[2][0], 60.0, 0.36);  // N^2 times that of velocities
+}

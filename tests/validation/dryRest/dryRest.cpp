@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Ten thousand steps at rest: column height, kinetic energy and impulse on floor and walls of a bed 20 layers deep, none asleep, at the
+// default settings, in one run; and the same bed under a cap of sweeps that is too small for it, which the library must raise.
+#include "../../unit/nscd/heaps.hpp"
+#include "../resources/bars.hpp"
+
+using namespace scenes;
+using bars::require;
+
+namespace
+{
+
+nscd::ContactSettings awake()
+{
+    nscd::ContactSettings settings;
+    settings.sleep = false;
+    return settings;
+}
+
+constexpr double radius = 0.01, deltaT = 1e-3;
+
+/// Lets the grains land, and a viscous medium stop the last ones that roll.
+void comeToRest(const Scene& scene, nscd::GrainDynamics& dynamics)
+{
+    for (int k = 0; k < 1000; ++k) step(dynamics, scene.g, deltaT);
+    for (int k = 0; k < 1500; ++k) stepDamped(dynamics, scene.g, deltaT);
+}
+
+/// What the steps of a run at rest are judged by.
+class RestRecord
+{
+public:
+    explicit RestRecord(const nscd::Grains& grains)
+    {
+        for (double m : grains.mass) weight_ += m*gravity;
+    }
+
+    void add(const nscd::GrainDynamics& dynamics, const nscd::StepReport& report)
+    {
+        energy = std::max(energy, nscd::kineticEnergy(dynamics.grains())/(weight_*2.0*radius));
+        baseError = std::max(baseError, (onWalls(dynamics)/weight_ + Vec3::UnitZ()).norm());
+        capped += !report.solve.converged;
+        sweeps += report.solve.sweeps;
+    }
+
+    double energy = 0.0;      ///< largest kinetic energy per grain [m g d]
+    double baseError = 0.0;   ///< largest error of a step's impulse on the floor, of the weight's
+    int capped = 0;
+    int sweeps = 0;
+
+private:
+    static Vec3 onWalls(const nscd::GrainDynamics& dynamics)
+    {
+        Vec3 sum = Vec3::Zero();
+        for (const Vec3& force : dynamics.wallForce()) sum += force;
+        return sum;
+    }
+
+    double weight_ = 0.0;
+};
+
+double columnHeight(const nscd::GrainDynamics& dynamics)
+{
+    double top = 0.0;
+    for (const Vec3& x : dynamics.grains().position) top = std::max(top, x[2] + radius);
+    return top/(2.0*radius);
+}
+
+double massCenterHeight(const nscd::GrainDynamics& dynamics) { return nscd::massCenter(dynamics.grains())[2]/(2.0*radius); }
+
+/// The first steps, in which the bed comes to rest after the medium is gone, apart.
+void tenThousandSteps(const Scene& scene, nscd::GrainDynamics& dynamics)
+{
+    constexpr int toRest = 200, steps = 10000;
+    for (int k = 0; k < toRest; ++k) step(dynamics, scene.g, deltaT);
+    RestRecord record(scene.grains);
+    const double top = columnHeight(dynamics), center = massCenterHeight(dynamics);
+    double halfway = center;
+    for (int k = 0; k < steps; ++k)
+    {
+        record.add(dynamics, step(dynamics, scene.g, deltaT));
+        if (k == steps/2) halfway = massCenterHeight(dynamics);
+    }
+    std::printf("Bed of %zu spheres, 20 layers, %d steps at rest, nothing asleep: %.2f sweeps a step\n", scene.grains.size(), steps,
+        static_cast<double>(record.sweeps)/steps);
+    require("impulse on floor and walls against the weight's, worst step", record.baseError, 1e-4);
+    require("kinetic energy, m g d a grain, worst step", record.energy, 1e-12);
+    require("change of the column's height, d", std::abs(columnHeight(dynamics) - top), 1e-6);
+    require("change of the mass center's height, d", std::abs(massCenterHeight(dynamics) - center), 1e-6);
+    require("of which in the second half", std::abs(massCenterHeight(dynamics) - halfway), 1e-7);
+    require("steps at the cap", record.capped, 0);
+}
+
+/// From cold under a cap of 5 sweeps. Until the cap is large enough the bed sinks somewhat.
+void cappedBed(Scene scene, const nscd::GrainDynamics& resting, bool raiseCap)
+{
+    constexpr int cap = 5, steps = 1500;
+    scene.grains = resting.grains();
+    nscd::ContactSettings settings = awake();
+    settings.maxSweeps = cap;
+    settings.raiseCap = raiseCap;
+    auto dynamics = scene.build(settings);
+    const double center = massCenterHeight(dynamics);
+    int raised = 0;
+    RestRecord end(scene.grains);
+    for (int k = 0; k < steps; ++k)
+    {
+        const nscd::StepReport report = step(dynamics, scene.g, deltaT);
+        raised = std::max(raised, report.solve.raisedCap);
+        if (k >= steps - 100) end.add(dynamics, report);
+    }
+    const double sunk = std::abs(massCenterHeight(dynamics) - center);
+    if (!raiseCap)
+    {
+        std::printf("The same bed from cold under a cap of %d sweeps that is not raised: base force off by %.2g, kinetic energy %.2g m g d, sunk "
+                    "by %.2g d\n", cap, end.baseError, end.energy, sunk);
+        return;
+    }
+    std::printf("The same with the cap raised, to %d\n", raised);
+    require("impulse on floor and walls against the weight's, worst of the last 100 steps", end.baseError, 1e-2);
+    require("kinetic energy, m g d a grain, the same steps", end.energy, 1e-6);
+    require("change of the mass center's height, d", sunk, 5e-2);
+}
+
+} // namespace
+
+int main()
+{
+    const Scene scene = heap(3, 6, 20, radius, 0.8, 0.4);
+    auto dynamics = scene.build(awake());
+    comeToRest(scene, dynamics);
+    for (const bool raiseCap : {false, true}) cappedBed(scene, dynamics, raiseCap);
+    tenThousandSteps(scene, dynamics);
+    return bars::status();
+}
