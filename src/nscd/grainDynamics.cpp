@@ -23,6 +23,16 @@ namespace
 constexpr double stepsPerList = 2.0;
 constexpr int maxListRebuilds = 6;
 
+/// Largest mass, and largest inverse of one.
+void measureClumps(const Grains& grains, double (&extremes)[2])
+{
+    for (std::size_t c = 0; c < grains.clumps.size(); ++c)
+    {
+        extremes[0] = std::max(extremes[0], grains.clumps.shapeOf(c).mass);
+        extremes[1] = std::max(extremes[1], 1.0/grains.clumps.shapeOf(c).mass);
+    }
+}
+
 } // namespace
 
 void GrainDynamics::Implementation::measureGrains()
@@ -32,12 +42,14 @@ void GrainDynamics::Implementation::measureGrains()
     if (sums[1] > 0.0) diameter = sums[0]/sums[1];
 
     double extremes[2] = {0.0, 0.0};
+    const std::vector<int> clumpOf = clumpOfGrains(grains);
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        if (grains.isFixed[i]) continue;
+        if (grains.isFixed[i] || (!clumpOf.empty() && clumpOf[i] >= 0)) continue;
         extremes[0] = std::max(extremes[0], grains.mass[i]);
         extremes[1] = std::max(extremes[1], 1.0/grains.mass[i]);
     }
+    if (!grains.clumps.empty()) measureClumps(grains, extremes);
     exchange->max(extremes, 2);
     massRatio = extremes[0]*extremes[1];
 }
@@ -102,6 +114,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
         do
         {
             setFreeVelocities(list, grains, external, deltaT, sleep);
+            if (!list.clumps.empty()) setFreeClumps(list, grains, external, deltaT);
             movingWalls.setVelocities(list, grains.shape.emptyAxis);
         }
         while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()));
@@ -111,7 +124,9 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
-    return solve(problem, settings);
+    const SolveReport report = solve(problem, settings);
+    if (!list.clumps.empty()) mirrorClumps(list, list.bodies);
+    return report;
 }
 
 SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
@@ -151,6 +166,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
 {
     std::vector<Body> inelastic = list.bodies;
     setFreeVelocities(list, grains, external, deltaT, sleep);
+    if (!list.clumps.empty()) mirrorFreeClumps(list, list.bodies);
     const std::vector<Body> freeBodies = std::move(list.bodies);
     list.bodies = std::move(inelastic);
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
@@ -158,12 +174,13 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
 
     ContactProblem problem = makeProblem(external.speedScale);
     AndersonAcceleration::Impulses beforeShock;
-    gatherImpulses(list.blocks, problem.all(), beforeShock);
+    gatherImpulses(list.blocks, {nullptr, list.blocks.size()}, beforeShock);
     const RollingSlots rollingBeforeShock = list.rolling;
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
     const SolveReport shock = solve(problem, shockSettings);
+    if (!list.clumps.empty()) mirrorClumps(list, list.bodies);
     report.sweeps += shock.sweeps;
     report.newtonSteps += shock.newtonSteps;
     report.converged = report.converged && shock.converged;
@@ -185,7 +202,9 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
     const double tolerance = settings.overlapTolerance*diameter;
     if (overlap.deepest > tolerance)
     {
-        report.correctionSweeps = correctOverlaps(list, scene(), overlap.deepest, tolerance, deadBand());
+        report.correctionSweeps = list.clumps.empty()
+            ? correctOverlaps(list, scene(), overlap.deepest, tolerance, deadBand())
+            : correctClumpOverlaps(list, grains, scene(), overlap.deepest, tolerance, deadBand());
         for (int body = 0; body < list.owned(); ++body) grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
         overlap = measureOverlap(list);
     }
@@ -280,7 +299,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     self.movingWalls.endStep();
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);
-    if (self.settings.sleep && !self.exchange->isParallel())
+    if (self.settings.sleep && !self.exchange->isParallel() && self.grains.clumps.empty())
     {
         self.sleep.fallAsleep(self.list, self.grains, external, report.solve.speedScale, self.deadBand());
         report.asleep = self.sleep.count();

@@ -4,6 +4,7 @@
 // What a GrainDynamics holds; seen by its own source files only.
 #pragma once
 
+#include "clumpMotion.hpp"
 #include "contactList.hpp"
 #include "contactSolver.hpp"
 #include "contactStep.hpp"
@@ -50,7 +51,8 @@ struct GrainDynamics::Implementation
         return
         {
             list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, isFrictional, deltaT, speedScale, diameter,
-            list.position, 1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio
+            list.position, 1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio,
+            list.clumps.empty() ? nullptr : &list.clumps
         };
     }
     /// Blocks that may carry impulses.

@@ -10,6 +10,19 @@
 namespace nscd
 {
 
+namespace
+{
+
+void refuseBesideClumps(const Exchange& exchange, const ContactSettings& settings, const Materials& materials)
+{
+    if (exchange.isParallel()) throw invalidValue("number of ranks", "more than one", "one where there are clumps");
+    if (settings.solver != "NLGS") throw invalidValue("contact solver", settings.solver, "NLGS where there are clumps");
+    if (materials.anyRolling()) throw invalidValue("rolling or spinning friction", "set", "none where there are clumps");
+    if (materials.anyCohesion()) throw invalidValue("cohesion", "set", "none where there are clumps");
+}
+
+} // namespace
+
 GrainDynamics::GrainDynamics
 (
     Grains grains, Materials materials, Walls walls, PeriodicBox box,
@@ -37,6 +50,8 @@ GrainDynamics::GrainDynamics
     {
         throw invalidValue("contact solver", settings.solver, "NLGS where there is rolling or spinning friction");
     }
+    checkClumps(self_->grains, self_->box);
+    if (!self_->grains.clumps.empty()) refuseBesideClumps(*self_->exchange, settings, self_->materials);
     // Whatever acts on spins.
     self_->isFrictional = self_->materials.anyFriction() || self_->materials.anyRolling();
     self_->measureGrains();
@@ -50,6 +65,8 @@ const Grains& GrainDynamics::grains() const { return self_->grains; }
 void GrainDynamics::setGrains(Grains grains)
 {
     double lastDeltaT;
+    checkClumps(grains, self_->box);
+    if (!grains.clumps.empty()) refuseBesideClumps(*self_->exchange, self_->settings, self_->materials);
     const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
     self_->grains = std::move(grains);
     self_->grains.shrinkToFit();

@@ -55,7 +55,7 @@ bool isCold(const ContactProblem& problem)
 SlowSolve::SlowSolve(ContactProblem& problem)
 :
     problem_(problem),
-    isScalingDone_(problem.halo.isParallel() || !isCold(problem))
+    isScalingDone_(problem.halo.isParallel() || problem.clumps || !isCold(problem))
 {}
 
 int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule)
@@ -159,6 +159,7 @@ void SlowSolve::revert()
 
 bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const
 {
+    if (problem_.clumps) return false;  // the queue knows single grains only
     return sweeps - lastLocal_ > sweepsBetweenQueues && sums.maxSquare > rule.maxLimit*rule.maxLimit && rms(sums) < rule.rmsLimit;
 }
 
