@@ -19,6 +19,15 @@ void refuseDrag(const Grains& grains, const std::vector<double>& drag, int grain
     throw invalidValue("implicit drag on grain " + std::to_string(grains.id[grain]), drag[grain], "0 for members of clumps");
 }
 
+/// Where there is an empty axis nothing moves along it, or turns about another, by round-off.
+void flatten(const GrainShape& shape, Vec3& v, Vec3& omega)
+{
+    if (shape.emptyAxis < 0) return;
+    const Vec3 axis = Vec3::Unit(shape.emptyAxis);
+    v = v.cwiseProduct(Vec3::Ones() - axis);
+    omega = omega.cwiseProduct(axis);
+}
+
 void setMotion(Body& body, const Vec3& v, const Vec3& omega, const Vec3& arm, double radius)
 {
     const Vec3 x = v + omega.cross(arm), s = radius*omega;
@@ -49,8 +58,9 @@ void setFreeClumps(ContactList& list, const Grains& grains, const ExternalForces
         ClumpBody& body = list.clumps.bodies[c];
         const ClumpShape& shape = clumps.shapeOf(c);
         body.invMass = 1.0/shape.mass;
-        body.inertia = worldInertia(clumps, c);
+        body.inertia = grains.shape.dimensions == 2 ? shape.inertia : worldInertia(clumps, c);
         body.invInertia = body.inertia.inverse();
+        flatten(grains.shape, force[c], torque[c]);
         body.freeMomentum = clumps.angularMomentum[c] + deltaT*torque[c];
         body.v = body.freeV = clumps.velocity[c] + deltaT/shape.mass*force[c];
         body.omega = body.freeOmega = midpointSpin(clumps.orientation[c], shape.inertia, body.freeMomentum, deltaT);
@@ -61,15 +71,16 @@ void setFreeClumps(ContactList& list, const Grains& grains, const ExternalForces
         list.bodies[member.body].invMass = list.clumps.bodies[member.clump].invMass;
         list.bodies[member.body].invSpin = 0.0;
     }
-    mirrorClumps(list, list.bodies);
+    takeClumpVelocities(list, grains.shape);
 }
 
-void mirrorClumps(const ContactList& list, std::vector<Body>& bodies)
+void takeClumpVelocities(ContactList& list, const GrainShape& shape)
 {
+    for (ClumpBody& clump : list.clumps.bodies) flatten(shape, clump.v, clump.omega);
     for (const ClumpMember& member : list.clumps.members)
     {
         const ClumpBody& clump = list.clumps.bodies[member.clump];
-        setMotion(bodies[member.body], clump.v, clump.omega, member.arm, list.radius[member.body]);
+        setMotion(list.bodies[member.body], clump.v, clump.omega, member.arm, list.radius[member.body]);
     }
 }
 

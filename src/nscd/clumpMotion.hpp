@@ -16,8 +16,9 @@ namespace nscd
 /// Errors: std::invalid_argument for implicit drag on a member
 void setFreeClumps(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT);
 
-/// Gives members among `bodies` the velocities of their clumps: the present ones, or the free ones of the step.
-void mirrorClumps(const ContactList& list, std::vector<Body>& bodies);
+/// Gives members among the list's bodies the velocities of their clumps, to be called after a solve.
+void takeClumpVelocities(ContactList& list, const GrainShape& shape);
+/// Gives members among `bodies` the free velocities of the step.
 void mirrorFreeClumps(const ContactList& list, std::vector<Body>& bodies);
 
 /// Moves mass centers and turns clumps by their velocities, and puts members where they then are.

@@ -125,7 +125,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
     const SolveReport report = solve(problem, settings);
-    if (!list.clumps.empty()) mirrorClumps(list, list.bodies);
+    if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
     return report;
 }
 
@@ -180,7 +180,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
     const SolveReport shock = solve(problem, shockSettings);
-    if (!list.clumps.empty()) mirrorClumps(list, list.bodies);
+    if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
     report.sweeps += shock.sweeps;
     report.newtonSteps += shock.newtonSteps;
     report.converged = report.converged && shock.converged;
