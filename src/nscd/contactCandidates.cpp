@@ -39,6 +39,14 @@ std::vector<Candidate> findWalls(const ContactList& list, const std::vector<doub
     return found;
 }
 
+/// Members of a clump never meet.
+void removeWithinClumps(std::vector<Candidate>& candidates, const ClumpList& clumps)
+{
+    const auto clumpOf = [&](int body) { return clumps.memberOf[body] < 0 ? -1 : clumps.members[clumps.memberOf[body]].clump; };
+    const auto isWithin = [&](const Candidate& c) { return c.wall < 0 && clumpOf(c.a) >= 0 && clumpOf(c.a) == clumpOf(c.b); };
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), isWithin), candidates.end());
+}
+
 } // namespace
 
 Candidates findCandidates
@@ -66,6 +74,7 @@ Candidates findCandidates
         else if (isSolvedHere(rank, ghosts[pair.b - list.owned()].owner)) found.interface.push_back(candidate);
     }
     found.inner.insert(found.inner.end(), wall, walls.end());
+    if (!list.clumps.empty()) removeWithinClumps(found.inner, list.clumps);
     return found;
 }
 

@@ -180,6 +180,33 @@ void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Can
     }
 }
 
+bool isOfClump(const ContactList& list, const Candidate& c)
+{
+    return list.clumps.memberOf[c.a] >= 0 || (c.b < list.owned() && list.clumps.memberOf[c.b] >= 0);
+}
+
+/// Candidates of clumps go to the end, in their order: no kernel works on them, so that lanes need not be independent.
+Batches batchInner(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter)
+{
+    if (list.clumps.empty()) return batchNearAndFar(list, scene, candidates, diameter);
+    std::vector<Candidate> single;
+    for (const Candidate& c : candidates)
+    {
+        if (!isOfClump(list, c)) single.push_back(c);
+    }
+    const Batches ofSingle = batchNearAndFar(list, scene, single, diameter);
+    Batches all{ofSingle.blocks, std::vector<std::size_t>(candidates.size())};
+    list.clumps.firstBlock = ofSingle.blocks;
+    std::size_t next = 0, last = ofSingle.blocks*blockLanes;
+    for (std::size_t k = 0; k < candidates.size(); ++k)
+    {
+        all.slotOf[k] = isOfClump(list, candidates[k]) ? last++ : ofSingle.slotOf[next++];
+    }
+    all.blocks = (last + blockLanes - 1)/blockLanes;
+    list.clumps.slots.resize((all.blocks - ofSingle.blocks)*blockLanes);
+    return all;
+}
+
 } // namespace
 
 ContactList buildContactList
@@ -192,6 +219,7 @@ ContactList buildContactList
     list.wallReach = std::move(wallReach);
     list.hasRolling = scene.materials.anyRolling();
     sortBodies(list, scene.grains, reach, diameter);
+    list.clumps = listClumps(scene.grains.clumps, list.grainOf);
     const std::vector<GhostGrain> ghosts = exchange.findGhosts(scene.grains, reach, scene.box);
     const std::vector<double> reachOfAll = addGhosts(list, ghosts);
     const double range = scene.materials.cohesionRange();
@@ -204,11 +232,11 @@ ContactList buildContactList
         addGhosts(list, list.ghosts);
         joinHalo(list, candidates.interface, exchange);
     }
-    if (!list.hasRolling) takeIsolated(list, candidates);
+    if (!list.hasRolling && list.clumps.empty()) takeIsolated(list, candidates);
     addWallBodies(list, scene, candidates);
 
     Batches isolated = batchNearAndFar(list, scene, candidates.isolated, diameter);
-    Batches inner = batchNearAndFar(list, scene, candidates.inner, diameter);
+    Batches inner = batchInner(list, scene, candidates.inner, diameter);
     Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
     reserveBlocks(list, scene, isolated.blocks + inner.blocks + interface.blocks);
     const std::vector<int> material = materialOfBodies(list, scene);
@@ -218,7 +246,7 @@ ContactList buildContactList
     appendBlocks(list, scene, material, candidates.inner, inner);
     groupWallSlots(list, scene, candidates.inner, inner);
     findMovingSlots(list, candidates.inner, inner);
-    list.interfaceBlock = list.blocks.size();
+    list.interfaceBlock = list.clumps.empty() ? list.blocks.size() : list.clumps.firstBlock;
     appendBlocks(list, scene, material, candidates.interface, interface);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {

@@ -4,6 +4,7 @@
 // The persistent list of candidate contacts: pairs that could touch before the list is built again, in the order they are solved.
 #pragma once
 
+#include "clumpContacts.hpp"
 #include "cohesion.hpp"
 #include "contactBlock.hpp"
 #include "grains.hpp"
@@ -59,6 +60,8 @@ struct ContactList
     RollingSlots rolling;                   ///< likewise
     bool hasRolling = false;                ///< whether any pair resists rolling or spinning, here or on another rank
     CohesiveSlots cohesion;                 ///< likewise
+
+    ClumpList clumps;                       ///< empty in scenes without
 
     std::vector<std::uint32_t> awake;       ///< blocks that can matter in this step, ascending; set by prepareSlots
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace nscd
 {
@@ -26,6 +27,13 @@ DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& 
     double max = std::max(one.maxSquare, other.maxSquare);
     halo.sumAndMax(sums, max);
     return {sums[0], max, sums[1]};
+}
+
+void add(DefectSums& sums, const DefectSums& more)
+{
+    sums.sumSquares += more.sumSquares;
+    sums.active += more.active;
+    if (!(more.maxSquare <= sums.maxSquare)) sums.maxSquare = more.maxSquare;
 }
 
 } // namespace
@@ -60,9 +68,23 @@ BlockRange ContactProblem::interface() const
     return {awake.data() + inside, awake.size() - inside};
 }
 
+BlockRange ContactProblem::activeClumps() const
+{
+    const auto begin = std::lower_bound(awake.begin(), awake.end(), clumps->firstBlock);
+    return {awake.data() + (begin - awake.begin()), static_cast<std::size_t>(awake.end() - begin)};
+}
+
+std::vector<std::uint32_t> ContactProblem::clumpBlocks() const
+{
+    std::vector<std::uint32_t> found(blocks.size() - clumps->firstBlock);
+    std::iota(found.begin(), found.end(), static_cast<std::uint32_t>(clumps->firstBlock));
+    return found;
+}
+
 DefectSums sweepActive(ContactProblem& problem)
 {
-    const DefectSums inner = sweepBlocks(problem, problem.inner());
+    DefectSums inner = sweepBlocks(problem, problem.inner());
+    if (problem.clumps) add(inner, sweepClumps(problem.bodies.data(), problem.blocks.data(), *problem.clumps, problem.activeClumps()));
     if (!problem.halo.isParallel()) return inner;
     problem.halo.giveVelocities(problem.bodies);
     const DefectSums between = sweepBlocks(problem, problem.interface());
@@ -74,6 +96,11 @@ void replaceImpulses(ContactProblem& problem, std::vector<double>& target)
 {
     const BlockRange inner = problem.inner();
     problem.kernels.replaceImpulses(problem.bodies.data(), problem.blocks.data(), inner, target.data());
+    if (problem.clumps)
+    {
+        double* ofClumps = target.data() + 3*blockLanes*inner.count;
+        replaceClumpImpulses(problem.bodies.data(), problem.blocks.data(), *problem.clumps, problem.activeClumps(), ofClumps);
+    }
     if (!problem.halo.isParallel()) return;
     double* between = target.data() + 3*blockLanes*inner.count;
     problem.halo.giveVelocities(problem.bodies);
@@ -86,10 +113,15 @@ DefectSums residual(ContactProblem& problem)
     const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
     problem.halo.giveVelocities(problem.bodies);
     ContactBlock* const blocks = problem.blocks.data() + problem.firstBlock;
-    DefectSums here = evaluate(problem.bodies.data(), blocks, {nullptr, problem.blocks.size() - problem.firstBlock});
+    DefectSums here = evaluate(problem.bodies.data(), blocks, {nullptr, problem.all().count - problem.firstBlock});
     if (problem.rolling)
     {
         here = together(here, evaluateRolling(problem.bodies.data(), problem.blocks.data(), *problem.rolling, problem.all()));
+    }
+    if (problem.clumps)
+    {
+        const std::vector<std::uint32_t> blocks = problem.clumpBlocks();
+        add(here, evaluateClumps(problem.bodies.data(), problem.blocks.data(), *problem.clumps, {blocks.data(), blocks.size()}));
     }
     return problem.halo.isParallel() ? overRanks(problem.halo, here, {0.0, 0.0, 0.0}) : here;
 }
@@ -100,12 +132,20 @@ bool wakeBlocks(ContactProblem& problem)
     std::vector<std::uint32_t> awake;
     std::size_t next = 0;
     problem.halo.giveVelocities(problem.bodies);
+    const auto isActive = [&](std::uint32_t k)
+    {
+        if (problem.clumps && k >= problem.clumps->firstBlock)
+        {
+            return isClumpBlockActive(problem.bodies.data(), problem.blocks.data(), *problem.clumps, k);
+        }
+        return problem.kernels.evaluateFrictionless(problem.bodies.data(), &problem.blocks[k], {nullptr, 1}).active > 0.0;
+    };
     for (std::uint32_t k = problem.firstBlock; k < problem.blocks.size(); ++k)
     {
         const bool isAwake = next < before && problem.awake[next] == k;
         if (isAwake) ++next;
         // Asleep, nothing is carried: what the law asks for is normal, so the frictionless evaluation tells.
-        if (isAwake || problem.kernels.evaluateFrictionless(problem.bodies.data(), &problem.blocks[k], {nullptr, 1}).active > 0.0) awake.push_back(k);
+        if (isAwake || isActive(k)) awake.push_back(k);
     }
     // Ranges of the list stay valid unless it grows.
     if (awake.size() != before) problem.awake = std::move(awake);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "contactSettings.hpp"
+#include "clumpContacts.hpp"
 #include "contactBlock.hpp"
 #include "halo.hpp"
 #include "rollingFriction.hpp"
@@ -42,12 +43,19 @@ struct ContactProblem
     double massRatio = 1.0;
     /// Blocks before this one are none of a solver's business: isolatedPairs.hpp.
     std::size_t firstBlock = 0;
+    /// Contacts of clumps, in blocks behind all others; none in scenes without.
+    ClumpList* clumps = nullptr;
 
-    BlockRange all() const { return {nullptr, blocks.size()}; }
+    /// All blocks but those of clumps.
+    BlockRange all() const { return {nullptr, clumps ? clumps->firstBlock : blocks.size()}; }
     BlockRange active() const { return {awake.data(), awake.size()}; }
     /// The active blocks whose bodies no other rank moves meanwhile.
     BlockRange inner() const;
     BlockRange interface() const;
+    /// The active blocks of clumps.
+    BlockRange activeClumps() const;
+    /// All blocks of clumps.
+    std::vector<std::uint32_t> clumpBlocks() const;
 };
 
 /// One pass over blocks that changes impulses and velocities in place, on this rank alone.

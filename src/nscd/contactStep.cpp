@@ -4,7 +4,9 @@
 // Free velocities, warm start, forces and motion.
 #include "contactStep.hpp"
 
+#include "clumpMotion.hpp"
 #include "contactSolver.hpp"
+#include "freeRotation.hpp"
 #include "invalidValue.hpp"
 
 #include <algorithm>
@@ -74,13 +76,15 @@ void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT,
 {
     const LawOfStep law{deltaT, deadBand, unreachable};
     list.awake.clear();
-    for (std::size_t k = 0; k < list.blocks.size(); ++k)
+    const std::size_t blocks = list.clumps.empty() ? list.blocks.size() : list.clumps.firstBlock;
+    for (std::size_t k = 0; k < blocks; ++k)
     {
         if (kernels.setLaws(list.bodies.data(), list.blocks[k], &list.gap[k*blockLanes], law)) list.awake.push_back(static_cast<std::uint32_t>(k));
     }
     if (!list.cohesion.empty()) applyCohesion(list, deltaT, deadBand);
     kernels.startWarm(list.bodies.data(), list.blocks.data(), {list.awake.data(), list.awake.size()}, impulseScale);
     if (!list.rolling.empty()) startRolling(list, impulseScale);
+    if (!list.clumps.empty()) prepareClumpSlots(list, deltaT, deadBand, unreachable, impulseScale);
     list.halo.takeVelocities(list.bodies);
 }
 
@@ -153,22 +157,8 @@ void copyVelocities(const ContactList& list, Grains& grains)
         grains.velocity[i] = Vec3(list.bodies[body].v);
         grains.omega[i] = Vec3(list.bodies[body].s)/grains.radius[i];
     }
+    if (!list.clumps.empty()) copyClumpVelocities(list, grains.clumps);
 }
-
-namespace
-{
-
-/// exp(turn/2) as a quaternion. The series are exact to round-off where they are used.
-Quaternion rotationBy(const Vec3& turn)
-{
-    const double h = 0.25*turn.squaredNorm();  // square of half the angle
-    if (h > 2.5e-3) return Quaternion(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
-    const double cosine = 1.0 - h/2.0*(1.0 - h/12.0*(1.0 - h/30.0*(1.0 - h/56.0)));
-    const double sine = 0.5*(1.0 - h/6.0*(1.0 - h/20.0*(1.0 - h/42.0*(1.0 - h/72.0))));
-    return Quaternion(cosine, sine*turn[0], sine*turn[1], sine*turn[2]);
-}
-
-} // namespace
 
 double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, double deltaT, bool isRotating)
 {
@@ -184,6 +174,7 @@ double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, dou
         const Vec3 turn = deltaT*Vec3(list.bodies[body].s)/grains.radius[i];
         if (turn != Vec3::Zero()) grains.orientation[i] = (rotationBy(turn)*grains.orientation[i]).normalized();
     }
+    if (!list.clumps.empty()) moveClumps(list, grains, box, deltaT);
     list.halo.give(list.position);
     return std::sqrt(list.halo.max(largest2));
 }

@@ -49,7 +49,7 @@ double DirectHelp::priceLimit() const
 
 bool DirectHelp::isDue(int sweeps)
 {
-    if (problem_.halo.isParallel() || isDone_) return false;
+    if (problem_.halo.isParallel() || problem_.clumps || isDone_) return false;
     if (!hasPrice_ && sweeps >= std::min(firstLook, settings_.maxSweeps))
     {
         hasPrice_ = true;
@@ -71,7 +71,7 @@ void DirectHelp::checkHeavyBodies(SolveReport& report, const StopRule& rule)
     if (!(problem_.massRatio > harmlessMassRatio) || isDone_) return;
     const double ratio = loadedMassRatio(problem_);
     if (!(ratio > harmlessMassRatio)) return;
-    if (!problem_.halo.isParallel() && DirectSolve(problem_).price(priceLimit()) <= priceLimit()) solve(rule);
+    if (!problem_.halo.isParallel() && !problem_.clumps && DirectSolve(problem_).price(priceLimit()) <= priceLimit()) solve(rule);
     else report.hiddenMassRatio = ratio;
 }
 

@@ -35,6 +35,16 @@ void checkForces(const ExternalForces& external, std::size_t grains)
     if (!(external.speedScale >= 0.0) || !std::isfinite(external.speedScale)) throw invalidValue("speed scale", external.speedScale, "a finite value >= 0 m/s");
 }
 
+/// Largest mass, and largest inverse of one.
+void measureClumps(const Grains& grains, double (&extremes)[2])
+{
+    for (std::size_t c = 0; c < grains.clumps.size(); ++c)
+    {
+        extremes[0] = std::max(extremes[0], grains.clumps.shapeOf(c).mass);
+        extremes[1] = std::max(extremes[1], 1.0/grains.clumps.shapeOf(c).mass);
+    }
+}
+
 } // namespace
 
 void GrainDynamics::Implementation::measureGrains()
@@ -44,12 +54,14 @@ void GrainDynamics::Implementation::measureGrains()
     if (sums[1] > 0.0) diameter = sums[0]/sums[1];
 
     double extremes[2] = {0.0, 0.0};
+    const std::vector<int> clumpOf = clumpOfGrains(grains);
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        if (grains.isFixed[i]) continue;
+        if (grains.isFixed[i] || (!clumpOf.empty() && clumpOf[i] >= 0)) continue;
         extremes[0] = std::max(extremes[0], grains.mass[i]);
         extremes[1] = std::max(extremes[1], 1.0/grains.mass[i]);
     }
+    if (!grains.clumps.empty()) measureClumps(grains, extremes);
     exchange->max(extremes, 2);
     massRatio = extremes[0]*extremes[1];
 }
@@ -118,6 +130,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
         do
         {
             setFreeVelocities(list, grains, external, deltaT, sleep);
+            if (!list.clumps.empty()) setFreeClumps(list, grains, external, deltaT);
             movingWalls.setVelocities(list, grains.shape.emptyAxis);
         }
         while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()));
@@ -129,7 +142,9 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
-    return solveBesideIsolated(problem, list.isolatedBlocks, capGuard.apply(settings), solve);
+    const SolveReport report = solveBesideIsolated(problem, list.isolatedBlocks, capGuard.apply(settings), solve);
+    if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
+    return report;
 }
 
 SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
@@ -167,7 +182,9 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
     const double tolerance = settings.overlapTolerance*diameter;
     if (overlap.deepest > tolerance)
     {
-        report.correctionSweeps = correctOverlaps(list, scene(), overlap.deepest, tolerance, deadBand());
+        report.correctionSweeps = list.clumps.empty()
+            ? correctOverlaps(list, scene(), overlap.deepest, tolerance, deadBand())
+            : correctClumpOverlaps(list, grains, scene(), overlap.deepest, tolerance, deadBand());
         for (int body = 0; body < list.owned(); ++body) grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
         overlap = measureOverlap(list);
     }
@@ -269,7 +286,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     self.movingWalls.endStep();
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);
-    if (self.settings.sleep && !self.exchange->isParallel())
+    if (self.settings.sleep && !self.exchange->isParallel() && self.grains.clumps.empty())
     {
         self.sleep.fallAsleep(self.list, self.grains, external, report.solve.speedScale, self.deadBand());
         report.asleep = self.sleep.count();

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "capGuard.hpp"
+#include "clumpMotion.hpp"
 #include "contactList.hpp"
 #include "contactSolver.hpp"
 #include "contactStep.hpp"
@@ -59,7 +60,8 @@ struct GrainDynamics::Implementation
         return
         {
             list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernelsOfStep, isFrictional, deltaT, speedScale, diameter,
-            list.position, 1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio
+            list.position, 1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio,
+            0, list.clumps.empty() ? nullptr : &list.clumps
         };
     }
     /// Blocks that may carry impulses.

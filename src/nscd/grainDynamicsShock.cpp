@@ -17,19 +17,22 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
 {
     Shock inelastic;
     inelastic.bodies = list.bodies;
+    inelastic.clumps = list.clumps.bodies;
     setFreeVelocities(list, grains, external, deltaT, sleep);
+    if (!list.clumps.empty()) mirrorFreeClumps(list, list.bodies);
     const std::vector<Body> freeBodies = std::move(list.bodies);
     list.bodies = inelastic.bodies;
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
     if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
 
     ContactProblem problem = makeProblem(external.speedScale);
-    gatherImpulses(list.blocks, problem.all(), inelastic.impulses);
+    gatherImpulses(list.blocks, {nullptr, list.blocks.size()}, inelastic.impulses);
     inelastic.rolling = list.rolling;
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = capGuard.apply(settings);
     shockSettings.displacementTolerance = 1.0;
     const SolveReport shock = solveBesideIsolated(problem, list.isolatedBlocks, shockSettings, solve);
+    if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
     report.sweeps += shock.sweeps;
     report.newtonSteps += shock.newtonSteps;
     report.converged = report.converged && shock.converged;

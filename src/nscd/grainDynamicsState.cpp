@@ -21,6 +21,14 @@ namespace
 constexpr double fewCandidates = 0.5, manyCandidates = 2.0;
 constexpr double mostStepsPerList = 64.0;
 
+void refuseBesideClumps(const Exchange& exchange, const ContactSettings& settings, const Materials& materials)
+{
+    if (exchange.isParallel()) throw invalidValue("number of ranks", "more than one", "one where there are clumps");
+    if (settings.solver != "NLGS") throw invalidValue("contact solver", settings.solver, "NLGS where there are clumps");
+    if (materials.anyRolling()) throw invalidValue("rolling or spinning friction", "set", "none where there are clumps");
+    if (materials.anyCohesion()) throw invalidValue("cohesion", "set", "none where there are clumps");
+}
+
 } // namespace
 
 /// In a dilute cloud candidates cost little, and searches much; in a bed it is the other way round.
@@ -71,6 +79,8 @@ GrainDynamics::GrainDynamics
     {
         throw invalidValue("contact solver", settings.solver, "NLGS where there is rolling or spinning friction");
     }
+    checkClumps(self_->grains, self_->box);
+    if (!self_->grains.clumps.empty()) refuseBesideClumps(*self_->exchange, settings, self_->materials);
     // Whatever acts on spins.
     self_->isFrictional = self_->materials.anyFriction() || self_->materials.anyRolling();
     if (!self_->isFrictional) self_->kernels = normalOnly(self_->kernels);
@@ -85,6 +95,8 @@ const Grains& GrainDynamics::grains() const { return self_->grains; }
 void GrainDynamics::setGrains(Grains grains)
 {
     double lastDeltaT;
+    checkClumps(grains, self_->box);
+    if (!grains.clumps.empty()) refuseBesideClumps(*self_->exchange, self_->settings, self_->materials);
     const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
     checkGrains(grains, self_->materials, self_->walls);
     self_->grains = std::move(grains);

@@ -56,10 +56,17 @@ Vec3 massCenter(const Grains& grains)
 {
     Vec3 moment = Vec3::Zero();
     double mass = 0.0;
+    const std::vector<int> clumpOf = clumpOfGrains(grains);
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
+        if (!clumpOf.empty() && clumpOf[i] >= 0) continue;
         moment += grains.mass[i]*grains.position[i];
         mass += grains.mass[i];
+    }
+    for (std::size_t c = 0; c < grains.clumps.size(); ++c)
+    {
+        moment += grains.clumps.shapeOf(c).mass*grains.clumps.position[c];
+        mass += grains.clumps.shapeOf(c).mass;
     }
     return mass > 0.0 ? Vec3(moment/mass) : Vec3::Zero();
 }
@@ -68,11 +75,14 @@ double kineticEnergy(const Grains& grains)
 {
     const double kappa = grains.shape.inertiaFactor();
     double sum = 0.0;
+    const std::vector<int> clumpOf = clumpOfGrains(grains);
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
+        if (!clumpOf.empty() && clumpOf[i] >= 0) continue;
         const double spin2 = kappa*grains.radius[i]*grains.radius[i]*grains.omega[i].squaredNorm();
         sum += 0.5*grains.mass[i]*(grains.velocity[i].squaredNorm() + spin2);
     }
+    for (std::size_t c = 0; c < grains.clumps.size(); ++c) sum += kineticEnergy(grains.clumps, c);
     return sum;
 }
 

@@ -4,6 +4,7 @@
 // The grains: rigid spheres (3D) or discs (2D), one plain array per property.
 #pragma once
 
+#include "clumps.hpp"
 #include "vec3.hpp"
 
 #include <cstdint>
@@ -44,6 +45,9 @@ struct Grains
     std::vector<std::int64_t> id;         ///< unique over all ranks and the whole run
     std::vector<std::uint8_t> isFixed;    ///< 1: held or driven, infinite mass: moves with its velocity and omega as given
 
+    /// Rigid assemblies of some of the grains; whoever reorders or removes grains keeps their indices right.
+    Clumps clumps;
+
     std::size_t size() const { return position.size(); }
     double volume(std::size_t i) const { return shape.volume(radius[i]); }
 
@@ -80,7 +84,7 @@ double totalVolume(const Grains& grains);
 /// Center of mass of the owned grains [m]; zero when there are none.
 Vec3 massCenter(const Grains& grains);
 
-/// Sum of m v^2/2 + kappa m R^2 omega^2/2 over the owned grains [J].
+/// Sum of m v^2/2 + kappa m R^2 omega^2/2 over the owned grains, of clumps as wholes [J].
 double kineticEnergy(const Grains& grains);
 
 } // namespace nscd

@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr char kind[] = "nscdScen";
-constexpr std::uint64_t version = 1;
+constexpr std::uint64_t version = 2;
 
 static_assert(sizeof(Vec3) == 3*sizeof(double) && sizeof(Quaternion) == 4*sizeof(double), "vectors are written as plain numbers");
 static_assert(sizeof(StoredImpulse) == 2*sizeof(std::int64_t) + 2*sizeof(Vec3), "impulses are written as they lie in memory");
@@ -67,6 +67,76 @@ void forEachNamedArray(Grains& grains, const Section& section)
     section("isFixed", grains.isFixed);
 }
 
+template<class Clumps, class Section>
+void forEachNamedArrayOfClumps(Clumps& clumps, const Section& section)
+{
+    section("clump.shape", clumps.shape);
+    section("clump.first", clumps.firstMember);
+    section("clump.position", clumps.position);
+    section("clump.turn", clumps.orientation);
+    section("clump.velocity", clumps.velocity);
+    section("clump.momentum", clumps.angularMomentum);
+}
+
+/// A shape without its members, which follow those of the shapes before.
+struct ShapeNumbers
+{
+    std::uint64_t members;
+    double mass;
+    Eigen::Matrix3d inertia;
+    Vec3 massCenter;
+};
+
+static_assert(sizeof(Ball) == 4*sizeof(double) && sizeof(ShapeNumbers) == 14*sizeof(double), "shapes are written as they lie in memory");
+
+void writeClumps(SectionFileWriter& file, const Clumps& clumps)
+{
+    std::vector<ShapeNumbers> shapes;
+    std::vector<Ball> members;
+    for (const ClumpShape& shape : clumps.shapes)
+    {
+        shapes.push_back({shape.members.size(), shape.mass, shape.inertia, shape.massCenter});
+        members.insert(members.end(), shape.members.begin(), shape.members.end());
+    }
+    file.section("clumpShapes", shapes);
+    file.section("clumpMembers", members);
+    forEachNamedArrayOfClumps(clumps, [&](const char* name, const auto& values) { file.section(name, values); });
+}
+
+/// Sections as they are; joined to clumps once the file has proved whole.
+struct StoredClumps
+{
+    std::vector<ShapeNumbers> shapes;
+    std::vector<Ball> members;
+    Clumps clumps;
+};
+
+StoredClumps readClumps(SectionFileReader& file)
+{
+    StoredClumps stored;
+    file.section("clumpShapes", stored.shapes);
+    file.section("clumpMembers", stored.members);
+    forEachNamedArrayOfClumps(stored.clumps, [&](const char* name, auto& values) { file.section(name, values); });
+    return stored;
+}
+
+Clumps joinClumps(const SectionFileReader& file, StoredClumps stored)
+{
+    forEachNamedArrayOfClumps(stored.clumps, [&](const char*, const auto& values)
+    {
+        if (values.size() != stored.clumps.size()) file.refuse("made of arrays of clumps that differ in length");
+    });
+    auto next = stored.members.begin();
+    for (const ShapeNumbers& shape : stored.shapes)
+    {
+        if (shape.members > static_cast<std::uint64_t>(stored.members.end() - next)) file.refuse("without some members of clumps");
+        const auto end = next + static_cast<std::ptrdiff_t>(shape.members);
+        stored.clumps.shapes.push_back({std::vector<Ball>(next, end), shape.mass, shape.inertia, shape.massCenter});
+        next = end;
+    }
+    return stored.clumps;
+}
+
 } // namespace
 
 SceneState takeState(GrainDynamics& dynamics, double time, std::int64_t step)
@@ -87,6 +157,7 @@ void writeCheckpoint(const std::string& path, const SceneState& state)
     file.section("numbers", std::vector<Numbers>(1, numbers));
     file.section("materials", joined(state.materials));
     forEachNamedArray(state.grains, [&](const char* name, const auto& values) { file.section(name, values); });
+    writeClumps(file, state.grains.clumps);
     file.section("impulses", state.impulses);
     file.complete();
 }
@@ -100,6 +171,7 @@ SceneState readCheckpoint(const std::string& path)
     file.section("numbers", numbers);
     file.section("materials", materials);
     forEachNamedArray(state.grains, [&](const char* name, auto& values) { file.section(name, values); });
+    StoredClumps clumps = readClumps(file);
     file.section("impulses", state.impulses);
     file.finish();
 
@@ -108,6 +180,7 @@ SceneState readCheckpoint(const std::string& path)
     {
         if (values.size() != numbers[0].grains) file.refuse("made of arrays that differ in length");
     });
+    state.grains.clumps = joinClumps(file, std::move(clumps));
     state.grains.nOwned = state.grains.size();
     state.grains.shape.dimensions = static_cast<int>(numbers[0].dimensions);
     state.grains.shape.thickness = numbers[0].thickness;

@@ -31,6 +31,14 @@ void shrink(ContactList& list, const Shock& target, double share)
             blend(list.bodies[i].s[k], target.bodies[i].s[k]);
         }
     }
+    for (std::size_t c = 0; c < list.clumps.bodies.size(); ++c)
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            blend(list.clumps.bodies[c].v[k], target.clumps[c].v[k]);
+            blend(list.clumps.bodies[c].omega[k], target.clumps[c].omega[k]);
+        }
+    }
     constexpr std::size_t values = 3*blockLanes;
     for (std::size_t k = 0; k < values*list.blocks.size(); ++k)
     {

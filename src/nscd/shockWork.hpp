@@ -22,6 +22,7 @@ struct Shock
     std::vector<Body> bodies;
     AndersonAcceleration::Impulses impulses;
     RollingSlots rolling;
+    std::vector<ClumpBody> clumps;
 };
 
 /// Work of the impulses in the list, from the velocities without them to the present ones, over all ranks.

@@ -161,6 +161,7 @@ void SlowSolve::revert()
 
 bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const
 {
+    if (problem_.clumps) return false;  // the queue knows single grains only
     return sweeps - lastLocal_ > sweepsBetweenQueues && sums.maxSquare > rule.maxLimit*rule.maxLimit && rms(sums) < rule.rmsLimit;
 }
 

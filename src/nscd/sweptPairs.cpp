@@ -30,7 +30,9 @@ void findFastPairs(ContactList& list)
 {
     list.fastPairs.clear();
     const auto reach = [&list](int body) { return body < list.owned() ? list.reach[body] : 0.0; };
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    // A member of a clump does not fly straight.
+    const std::size_t ofSingleGrains = list.clumps.empty() ? list.slots() : list.clumps.firstBlock*blockLanes;
+    for (std::size_t slot = 0; slot < ofSingleGrains; ++slot)
     {
         if (!list.isUsed(slot) || list.wall[slot] >= 0) continue;
         const int a = list.blocks[slot/blockLanes].a[slot % blockLanes], b = list.blocks[slot/blockLanes].b[slot % blockLanes];

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Placing grains, and checking them before the first step.
+#include "clumpReader.hpp"
 #include "grainFiles.hpp"
 #include "grainSources.hpp"
 #include "materialReader.hpp"
@@ -83,6 +84,7 @@ void placeSource(const SceneSettings& scene, const GrainSource& source, nscd::Gr
         grains.omega[i] = source.omega;
         grains.isFixed[i] = source.isFixed;
     }
+    if (!source.clump.members.empty()) replaceByClumps(scene, source, first, grains);
 }
 
 /// An overlap in words, as "grains 3 and 7 overlap by 0.2".

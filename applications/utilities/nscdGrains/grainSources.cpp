@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Reading the sources of grains.
+#include "clumpReader.hpp"
 #include "grainSources.hpp"
 #include "materialReader.hpp"
 
@@ -75,6 +76,12 @@ GrainSource readSource(const Dictionary& dict, const SceneSettings& scene, bool 
     else source.file = given.text("file");
     source.filePlace = given.place("file");
     if (source.type == "positionsFile") source.diameter = given.number("diameter", above(0));
+    source.clump = readClump(given, scene);
+    if (!source.clump.members.empty())
+    {
+        if (source.isFixed) given.reject("clump", "cannot be held", "motion free, or single grains that are fixed");
+        if (source.lattice.spread > 0.0) given.reject("spread", "stands beside clump", "clumps of one size: several sources for several sizes");
+    }
     given.finish();
     return source;
 }

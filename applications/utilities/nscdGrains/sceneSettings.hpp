@@ -24,6 +24,14 @@ struct MaterialTable
     Words grainMaterials() const;
 };
 
+/// Clumps in the places of a source's grains.
+struct ClumpSource
+{
+    std::vector<nscd::Ball> members;   ///< empty: single grains
+    bool isRandom = true;              ///< orientation, or that of the members as given
+    std::uint64_t seed = 1;
+};
+
 /// Where some of the grains come from.
 struct GrainSource
 {
@@ -37,6 +45,7 @@ struct GrainSource
     Vec3 velocity = Vec3::Zero();      ///< [m/s]
     Vec3 omega = Vec3::Zero();         ///< [rad/s]
     bool isFixed = false;
+    ClumpSource clump;
 };
 
 /// Grains that move as told.

@@ -22,6 +22,7 @@ using nscd::Vec3;
 template<class T> struct VtkType;
 template<> struct VtkType<double> { static constexpr const char* name = "Float64"; static constexpr int components = 1; };
 template<> struct VtkType<Vec3> { static constexpr const char* name = "Float64"; static constexpr int components = 3; };
+template<> struct VtkType<nscd::Quaternion> { static constexpr const char* name = "Float64"; static constexpr int components = 4; };
 template<> struct VtkType<int> { static constexpr const char* name = "Int32"; static constexpr int components = 1; };
 template<> struct VtkType<std::int64_t> { static constexpr const char* name = "Int64"; static constexpr int components = 1; };
 
@@ -121,6 +122,7 @@ void writeGrainsVtp(const std::string& path, double time, const nscd::Grains& gr
     std::vector<double> diameter(n);
     for (std::size_t i = 0; i < n; ++i) diameter[i] = 2.0*grains.radius[i];
     const std::vector<std::int64_t> connectivity = counting(n, 0, 1), offsets = counting(n, 1, 1);
+    const std::vector<int> clumpOf = nscd::clumpOfGrains(grains);
 
     PolyData data(n, n, 0);
     data.open("Points");
@@ -137,6 +139,11 @@ void writeGrainsVtp(const std::string& path, double time, const nscd::Grains& gr
     data.add("fContact", contactForce);
     data.add("id", grains.id);
     data.add("material", grains.material);
+    if (!clumpOf.empty())
+    {
+        data.add("clump", clumpOf);
+        data.add("orientation", grains.orientation);
+    }
     data.close("PointData");
     data.write(path, time);
 }
