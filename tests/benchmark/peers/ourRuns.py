@@ -38,10 +38,11 @@ def readTable(path):
 
 def settle(bed, core):
     """States at rest: bed.state and box.state, and their grains."""
-    for scene, steps in (("bed", 100), ("box", 200)):
+    # Only a bed whose last grains have stopped rolling shows what rest costs, and falls asleep.
+    for scene, steps, settings in (("bed", 1000, REST), ("box", 200, {})):
         state, table = FOLDER/(scene + ".state"), FOLDER/(scene + ".grains")
         if not state.exists():
-            call("settle", scene, bed, state, "steps=%d" % steps, core=core)
+            call("settle", scene, bed, state, "steps=%d" % steps, *options(settings), core=core)
         if not table.exists():
             call("table", state, table, core=core)
     return {scene: readTable(FOLDER/(scene + ".grains")) for scene in ("bed", "box")}

@@ -72,7 +72,9 @@ def walls(scene, width):
 
 def liggghts(start, scene, width, modulus, skin, commands):
     """`start` reads a data file or a restart; skin in diameters."""
-    lines = ["atom_style granular", "atom_modify map array", "boundary %s p f" % ("p" if scene == "bed" else "f"), "newton off",
+    # It refuses more than 1e9 Pa unless told that this is meant.
+    hard = ["hard_particles yes"] if modulus > 1e9 else []
+    lines = hard + ["atom_style granular", "atom_modify map array", "boundary %s p f" % ("p" if scene == "bed" else "f"), "newton off",
              "communicate single vel yes", "units si", start, "neighbor %.9g bin" % (skin*2*RADIUS), "neigh_modify delay 0",
              "fix m1 all property/global youngsModulus peratomtype %.9g" % modulus,
              "fix m2 all property/global poissonsRatio peratomtype %.9g" % POISSON,
