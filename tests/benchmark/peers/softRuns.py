@@ -15,7 +15,7 @@ from softPeers import PEERS, dumpCommands, readDump, timeStep, writeData
 
 FOLDER = BUILD/"peers"
 SETTLING = 0.03     # s, in which soft grains find their overlaps
-SKINS = {"bed": 0.1, "collapse": 0.1}   # d
+SKINS = {"bed": 0.1, "collapse": 0.2}   # d; the quickest of 0.03, 0.06, 0.1 and 0.2
 
 
 def isInstalled(peer):
