@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+"""Dry spheres by this library, LIGGGHTS, LAMMPS, and Siconos' NSGS: tests/benchmark/run peers --help"""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import softRuns     # brings the folder of the benchmarks to the path
+import frozen
+import ourRuns
+from pinnedRun import CORE
+from results import ROOT, Table, pyplot, savePicture
+from softPeers import PEERS, timeStep
+
+BEDS = ROOT/"build/beds"
+EVERY, MOMENTS = 0.05, 6        # s between states of a collapse, and how many
+MODULI = (5e6, 1e8)             # Pa
+GLASS = 5e10
+MOST_ITERATIONS = 20000
+OUR_STEPS, REST_STEPS = 10, 50
+PEER_SECONDS = {5e6: 6e-3, 1e8: 1e-3}       # s of motion in a window
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog="tests/benchmark/run peers", description=__doc__.split(":")[0])
+    parser.add_argument("parts", nargs="*", help="of: prepare collapse rest glass accuracy frozen (default: all, in this order)")
+    parser.add_argument("--bed", type=Path, default=BEDS/"bed29x30.dat", help="settled bed of LIGGGHTS and LAMMPS (%(default)s)")
+    parser.add_argument("--frozen", type=Path, default=BEDS/"bed20x25.dat", help="settled bed of Siconos (%(default)s)")
+    parser.add_argument("--moments", type=int, nargs="+", default=[1, 2, 4, 6], help="of the collapse, in %g s, to time windows at" % EVERY)
+    parser.add_argument("--reference", action="store_true", help="also make the reference run of the collapse: hours")
+    parser.add_argument("--tolerances", type=float, nargs="+", default=[1e-2, 1e-3], help="of our frozen solves (default: 1e-2 1e-3)")
+    parser.add_argument("--core", type=int, default=CORE, help="core all are pinned to (default: BENCHMARK_CORE, else 0)")
+    return parser.parse_args()
+
+
+def installed():
+    """Those of the soft peers that are there; the others are named."""
+    there = [peer for peer in PEERS if softRuns.isInstalled(peer)]
+    for peer in PEERS:
+        if peer not in there:
+            print("%s is not installed (Debian package %s): left out" % (peer, {"LIGGGHTS": "liggghts", "LAMMPS": "lammps"}[peer]))
+    return there
+
+
+def hasSiconos():
+    try:
+        import siconos.numerics     # noqa: F401
+        return True
+    except ImportError:
+        print("Siconos is not installed for this Python (Debian package python3-siconos): frozen problems left out")
+        return False
+
+
+def settledBed(path, core):
+    if not path.exists():
+        perSide, layers = path.stem.replace("bed", "").split("x")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        frozen.subprocess.run([ROOT/"build/core/benchmark/coldSolve", "settle", path, perSide, layers, "2000"], check=True)
+    with open(path) as file:
+        return [float(word) for word in file.readline().split()]
+
+
+def prepare(o, peers):
+    """Whole motions of everybody, which leave the states that windows start from."""
+    softRuns.FOLDER.mkdir(parents=True, exist_ok=True)
+    periods, grains = settledBed(o.bed, o.core), ourRuns.settle(o.bed, o.core)
+    for setting in ourRuns.SETTINGS:
+        if setting != "reference" or o.reference:
+            ourRuns.moveWhole(o.bed, setting, EVERY, MOMENTS, o.core)
+    for peer in peers:
+        for modulus in MODULI:
+            softRuns.moveWhole(peer, modulus, "bed", grains["bed"], periods, EVERY, 0, o.core)
+            softRuns.moveWhole(peer, modulus, "collapse", grains["box"], periods, EVERY, MOMENTS, o.core)
+
+
+def peerRow(o, table, peer, modulus, scene, width, moment):
+    state = softRuns.FOLDER/(softRuns.name(peer, modulus, scene, moment) + ".restart")
+    if not state.exists():
+        return
+    count = softRuns.steps(PEER_SECONDS[modulus], modulus)
+    seconds = softRuns.timeWindow(peer, modulus, scene, width, moment, count, o.core)
+    figures = ourRuns.rows(ourRuns.call("figures", scene, o.bed, softRuns.tableOf(peer, modulus, scene, moment), core=o.core))[0]
+    table.add(scene, peer, "%.0e" % modulus, moment*EVERY, timeStep(modulus), 1e3*seconds, seconds/timeStep(modulus), figures["overlapMax"],
+              figures["overlapMean"])
+
+
+def ourRow(table, scene, setting, moment, row):
+    deltaT = row["msPerStep"]*1e-3/row["secondsPerSecond"]
+    table.add(scene, "ours", setting, moment*EVERY, deltaT, row["msPerStep"], row["secondsPerSecond"],
+              max(row["overlapMax"], row["overlapMaxReported"]), row["overlapMean"])
+
+
+COLUMNS = ["scene", "program", "kind", "time", "deltaT", "msPerStep", "secondsPerSecond", "overlapMax", "overlapMean"]
+
+
+def means(table, scene):
+    """Over the moments at which all were timed: program, kind, seconds per second, worst overlap."""
+    keys = list(dict.fromkeys((row[1], row[2]) for row in table.rows if row[0] == scene))
+    times = set.intersection(*(set(table.column("time", scene=scene, program=p, kind=k)) for p, k in keys))
+    result = {}
+    for program, kind in keys:
+        chosen = [row for row in table.rows if row[:3] == (scene, program, kind) and row[3] in times]
+        result[program, kind] = (sum(row[6] for row in chosen)/len(chosen), max(row[7] for row in chosen))
+    return result, sorted(times)
+
+
+def printRatios(table, scene):
+    result, times = means(table, scene)
+    print("%s: means at %s s" % (scene, ", ".join("%g" % time for time in times)))
+    for (program, kind), (seconds, overlap) in result.items():
+        line = "%-10s %-10s %8.1f s/s, worst overlap %.1e d" % (program, kind, seconds, overlap)
+        if program != "ours":
+            fits = ["%.1f of '%s'" % (seconds/mine, k) for (p, k), (mine, depth) in result.items() if p == "ours" and (depth <= overlap or scene == "bed")]
+            line += "; times " + (", ".join(fits) or "none of ours with as little overlap")
+        print(line)
+
+
+def collapse(o, peers):
+    """Windows of all programs, in turn, at several moments of the same motion."""
+    width = settledBed(o.bed, o.core)[0]
+    table = Table("peersCollapse", COLUMNS)
+    for moment in o.moments:
+        for setting, values in ourRuns.SETTINGS.items():
+            if setting != "reference" and ourRuns.fileOf(setting, moment).exists():
+                ourRow(table, "collapse", setting, moment,
+                       ourRuns.window("collapse", o.bed, ourRuns.fileOf(setting, moment), o.core, values, steps=OUR_STEPS))
+        for modulus in MODULI:
+            for peer in peers:
+                peerRow(o, table, peer, modulus, "collapse", width, moment)
+    table.save()
+    printRatios(table, "collapse")
+    draw(table, "peersCollapse")
+
+
+def rest(o, peers):
+    """The bed at rest: all awake, and what sleep makes of it."""
+    width = settledBed(o.bed, o.core)[0]
+    table = Table("peersRest", COLUMNS)
+    state = softRuns.FOLDER/"bed.state"
+    for kind, more in (("awake", {"sleep": 0, "warmUp": 20}), ("asleep", {"sleep": 1, "warmUp": 150})):
+        ourRow(table, "bed", kind, 0, ourRuns.window("bed", o.bed, state, o.core, ourRuns.REST, steps=REST_STEPS, **more))
+    for modulus in MODULI:
+        for peer in peers:
+            peerRow(o, table, peer, modulus, "bed", width, 0)
+    table.save()
+    printRatios(table, "bed")
+    draw(table, "peersRest")
+
+
+def glass(o, peers):
+    """What glass would cost the soft peers: their time step for it, and their cost of a step, over a window too short for anything to move."""
+    table = Table("peersGlass", ["program", "modulus", "deltaT", "msPerStep", "secondsPerSecond"])
+    periods = settledBed(o.bed, o.core)
+    start = softRuns.FOLDER/"glass.grains"
+    ourRuns.call("table", ourRuns.fileOf("default", o.moments[0]), start, core=o.core)
+    for peer in peers:
+        seconds = softRuns.timeFromData(peer, GLASS, "collapse", ourRuns.readTable(start), periods, 300, o.core)
+        table.add(peer, GLASS, timeStep(GLASS), 1e3*seconds, seconds/timeStep(GLASS))
+    table.save()
+
+
+def accuracy(o, peers):
+    """Runs of ours against the reference, as far as both go."""
+    reference = ourRuns.fileOf("reference")
+    if not reference.exists():
+        print("no reference run: tests/benchmark/run peers prepare --reference makes it")
+        return
+    table = Table("peersAccuracy", ["setting", "until", "centerX", "centerZ", "runOut90", "runOut99"])
+    for setting in ourRuns.SETTINGS:
+        if setting != "reference" and ourRuns.fileOf(setting).exists():
+            found = ourRuns.deviations(ourRuns.rows(ourRuns.fileOf(setting).read_text()), ourRuns.rows(reference.read_text()))
+            if found:
+                table.add(setting, found[1], *(found[0][name] for name in table.columns[2:]))
+    table.save()
+
+
+def frozenProblem(o, peers):
+    """Cold solves to the same residual, for two tolerances of ours."""
+    if not hasSiconos():
+        return
+    settledBed(o.frozen, o.core)
+    os.sched_setaffinity(0, {o.core})
+    table = Table("peersFrozen", ["tolerance", "bar", "ourSeconds", "ourSweeps", "ourRms", "ourMax", "seconds", "iterations", "rms", "max", "ratio"])
+    for tolerance in o.tolerances:
+        frozen.addRows(table, ourRuns.PROGRAM, o.frozen, softRuns.FOLDER/"frozen", tolerance, MOST_ITERATIONS, o.core)
+    table.save()
+
+
+def draw(table, name):
+    figure, axes = pyplot.subplots(figsize=(7, 4.5))
+    for key in dict.fromkeys((row[1], row[2]) for row in table.rows):
+        chosen = [row for row in table.rows if row[1:3] == key]
+        axes.loglog([row[7] for row in chosen], [row[6] for row in chosen], "o", label="%s, %s" % key)
+    axes.set(xlabel="worst overlap [d]", ylabel="processor seconds per simulated second")
+    axes.legend(fontsize=7)
+    savePicture(figure, name)
+
+
+PARTS = {"prepare": prepare, "collapse": collapse, "rest": rest, "glass": glass, "accuracy": accuracy, "frozen": frozenProblem}
+
+
+def main():
+    o = arguments()
+    unknown = [part for part in o.parts if part not in PARTS]
+    if unknown:
+        raise SystemExit("tests/benchmark/run peers: knows %s, not '%s'" % (", ".join(PARTS), unknown[0]))
+    peers = installed()
+    for part in o.parts or PARTS:
+        print("== " + part)
+        PARTS[part](o, peers)
+
+
+if __name__ == "__main__":
+    main()

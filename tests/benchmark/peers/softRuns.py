@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+"""Runs of LIGGGHTS and LAMMPS: whole motions that leave restarts at some moments, and short timed windows that start from these."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from results import BUILD
+from softPeers import PEERS, dumpCommands, readDump, timeStep, writeData
+
+FOLDER = BUILD/"peers"
+SETTLING = 0.03     # s, in which soft grains find their overlaps
+SKINS = {"bed": 0.1, "collapse": 0.2}   # d; the quickest of 0.03, 0.06, 0.1 and 0.2
+
+
+def isInstalled(peer):
+    return shutil.which(PEERS[peer][0]) is not None
+
+
+def processorSeconds(peer, text, name, core):
+    """Of one run of an input, pinned."""
+    program = PEERS[peer][0]
+    path = FOLDER/(name + ".in")
+    path.write_text(text)
+    with open(FOLDER/(name + ".screen"), "w") as screen:
+        process = subprocess.Popen(["taskset", "-c", str(core), program, "-in", path.name, "-screen", "none", "-log", name + ".log"],
+                                   cwd=FOLDER, stdout=screen, stderr=subprocess.STDOUT, env=dict(os.environ, OMP_NUM_THREADS="1"))
+        _, status, usage = os.wait4(process.pid, 0)
+    if status != 0:
+        raise SystemExit("%s failed: see %s" % (program, FOLDER/(name + ".log")))
+    return usage.ru_utime + usage.ru_stime
+
+
+def name(peer, modulus, scene, moment=None):
+    return "%s.%.0e.%s" % (peer, modulus, scene) + ("" if moment is None else ".%d" % moment)
+
+
+def steps(seconds, modulus):
+    return max(1, round(seconds/timeStep(modulus)))
+
+
+def makeInput(peer, modulus, scene, width, start, commands, skin=None):
+    skin = skin or SKINS["bed" if scene == "bed" else "collapse"]
+    return PEERS[peer][1](start, scene, width, modulus, skin, commands)
+
+
+def saveCommands(prefix, moment):
+    return ["write_restart %s.%d.restart" % (prefix, moment)] + dumpCommands("%s.%d.dump" % (prefix, moment))
+
+
+def moveWhole(peer, modulus, scene, grains, periods, every, moments, core):
+    """From the grains at rest: settled (`moment` 0 of a bed; a box for a collapse), then so many times `every` seconds of motion.
+    Returns processor seconds a second of motion; done once, and kept."""
+    prefix = name(peer, modulus, scene)
+    kept = FOLDER/(prefix + ".json")
+    if kept.exists():
+        return json.loads(kept.read_text())["secondsPerSecond"]
+    first = "bed" if scene == "bed" else "box"
+    data = "%s.data" % prefix
+    writeData(grains, periods, FOLDER/data, scene == "bed")
+    settled = processorSeconds(peer, makeInput(peer, modulus, first, periods[0], "read_data " + data,
+                               ["run %d" % steps(SETTLING, modulus)] + saveCommands(prefix, 0)), prefix + ".settle", core)
+    cost = settled/SETTLING
+    if moments:
+        commands = []
+        for moment in range(1, moments + 1):
+            commands += ["run %d" % steps(every, modulus)] + saveCommands(prefix, moment)
+        cost = processorSeconds(peer, makeInput(peer, modulus, scene, periods[0], "read_restart %s.0.restart" % prefix, commands),
+                                prefix + ".run", core)/(moments*every)
+    kept.write_text(json.dumps({"secondsPerSecond": cost}))
+    return cost
+
+
+def timeWindow(peer, modulus, scene, width, moment, window, core, skin=None):
+    """Processor seconds a step from a restart, start-up subtracted."""
+    start = "read_restart %s.restart" % name(peer, modulus, scene, moment)
+    costs = [processorSeconds(peer, makeInput(peer, modulus, scene, width, start, ["run %d" % n], skin), "window", core) for n in (1, 1 + window)]
+    return (costs[1] - costs[0])/window
+
+
+def timeFromData(peer, modulus, scene, grains, periods, window, core):
+    """The same from grains as they lie, for grains too stiff to be run for long."""
+    writeData(grains, periods, FOLDER/"stiff.data", scene == "bed")
+    costs = [processorSeconds(peer, makeInput(peer, modulus, scene, periods[0], "read_data stiff.data", ["run %d" % n]), "stiff", core)
+             for n in (1, 1 + window)]
+    return (costs[1] - costs[0])/window
+
+
+def tableOf(peer, modulus, scene, moment):
+    """A snapshot as a table of grains, for `peers figures`; its path."""
+    dump = FOLDER/(name(peer, modulus, scene, moment) + ".dump")
+    table = dump.with_suffix(".grains")
+    with open(table, "w") as file:
+        file.writelines("%.17g %.17g %.17g\n" % tuple(row[:3]) for row in readDump(dump))
+    return table
