@@ -195,7 +195,7 @@ Batches batchInner(ContactList& list, const Scene& scene, const std::vector<Cand
         if (!isOfClump(list, c)) single.push_back(c);
     }
     const Batches ofSingle = batchNearAndFar(list, scene, single, diameter);
-    Batches all{ofSingle.blocks, std::vector<std::size_t>(candidates.size())};
+    Batches all{ofSingle.blocks, std::vector<std::uint32_t>(candidates.size())};
     list.clumps.firstBlock = ofSingle.blocks;
     std::size_t next = 0, last = ofSingle.blocks*blockLanes;
     for (std::size_t k = 0; k < candidates.size(); ++k)
