@@ -11,6 +11,28 @@
 namespace nscd
 {
 
+namespace
+{
+
+/// On this rank.
+DefectSums defectsOf(const ContactProblem& problem, BlockRange range)
+{
+    const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
+    return evaluate(problem.bodies.data(), problem.blocks.data(), range);
+}
+
+/// `squares`, `largest`: the defects of isolated contacts, summed up and the largest [m2/s2, m/s].
+void addIsolated(SolveReport& report, std::size_t isolated, double squares, double largest)
+{
+    squares += report.residualRms*report.residualRms*static_cast<double>(report.contacts);
+    report.isolated = isolated;
+    report.contacts += isolated;
+    report.residualRms = std::sqrt(squares/static_cast<double>(report.contacts));
+    report.residualMax = std::max(report.residualMax, largest);
+}
+
+} // namespace
+
 SolveReport solveBesideIsolated(ContactProblem& problem, std::size_t isolatedBlocks, const ContactSettings& settings, ContactSolver solve)
 {
     std::vector<std::uint32_t>& awake = problem.awake;
@@ -19,19 +41,16 @@ SolveReport solveBesideIsolated(ContactProblem& problem, std::size_t isolatedBlo
     awake.erase(awake.begin(), firstOfRest());
     problem.firstBlock = isolatedBlocks;
 
-    const DefectSums sums = sweepBlocks(problem, {isolated.data(), isolated.size()});
-    if (!std::isfinite(sums.sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
-    double numbers[2] = {static_cast<double>(awake.size()), sums.active};
-    problem.halo.sum(numbers, 2);
+    const BlockRange apart{isolated.data(), isolated.size()};
+    if (!std::isfinite(sweepBlocks(problem, apart).sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
+    const DefectSums left = defectsOf(problem, apart);  // round-off
+    double numbers[3] = {static_cast<double>(awake.size()), left.active, left.sumSquares};
+    problem.halo.sum(numbers, 3);
 
     SolveReport report;
     if (numbers[0] > 0.0) report = solve(problem, settings);
     else report.speedScale = makeStopRule(problem, settings, {0.0, 0.0, 0.0}).speedScale;
-    report.isolated = static_cast<std::size_t>(numbers[1]);
-    const double swept = static_cast<double>(report.contacts);
-    report.contacts += report.isolated;
-    // The mean square is one over all contacts, and these have no defect left.
-    report.residualRms *= std::sqrt(std::max(1.0, swept)/std::max<double>(1.0, static_cast<double>(report.contacts)));
+    if (numbers[1] > 0.0) addIsolated(report, static_cast<std::size_t>(numbers[1]), numbers[2], problem.halo.max(std::sqrt(left.maxSquare)));
     // A solver may have taken all blocks.
     awake.erase(awake.begin(), firstOfRest());
     awake.insert(awake.begin(), isolated.begin(), isolated.end());

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What leaving out saves, as CSV: each row a scene with a choice that the library makes by itself, or without. Milliseconds of the processor.
-// skips still BED | planar [PERSIDE] | smooth [PERSIDE] | cloud [PERSIDE] | pairs [PERSIDE] | rest BED [STEPS]
+// skips still BED | planar [PERSIDE] | smooth [PERSIDE] | cloud [PERSIDE] | pairs [PERSIDE] | kernels [PERSIDE] | rest BED [STEPS]
 #include "benchmark/rankedBed/tiledBed.hpp"
 #include "unit/nscd/heaps.hpp"
 
@@ -160,6 +160,37 @@ void pairs(int perSide)
     }
 }
 
+/// Sweeps of each path over the listed contacts of a plane of discs, by each kernel.
+void kernels(int perSide)
+{
+    const Scene scene = heap(2, perSide, perSide, radius, 0.8, friction);
+    const nscd::Scene parts{scene.grains, scene.materials, scene.walls, scene.box};
+    std::printf("path,kernel,discs,visits,nsPerVisit\n");
+    for (const char* path : {"portable", "AVX2", "AVX512"})
+    {
+        const nscd::SweepKernels general = nscd::chooseKernels(path);
+        const std::pair<const char*, nscd::SweepFunction> rows[] =
+            {{"spheres", general.sweep}, {"discs", nscd::planar(general, 1).sweep}, {"normal only", nscd::normalOnly(general).sweep}};
+        for (const auto& row : rows)
+        {
+            nscd::Exchange alone;
+            const std::vector<double> reach(scene.grains.size(), 0.3*radius);
+            nscd::ContactList list = nscd::buildContactList(parts, nscd::WallSearch(scene.walls, 4*radius), reach, {}, 2*radius, alone);
+            nscd::updateGeometry(list, parts);
+            nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, scene.g, deltaT), deltaT, nscd::IslandSleep());
+            nscd::prepareSlots(list, general, deltaT, radius, 1.0);
+            double best = 1e30;
+            for (int attempt = 0; attempt < 30; ++attempt)
+            {
+                const double start = now();
+                for (int sweep = 0; sweep < 20; ++sweep) row.second(list.bodies.data(), list.blocks.data(), {nullptr, list.blocks.size()});
+                best = std::min(best, (now() - start)/20);
+            }
+            std::printf("%s,%s,%zu,%zu,%.2f\n", path, row.first, scene.grains.size(), list.candidates, 1e9*best/static_cast<double>(list.candidates));
+        }
+    }
+}
+
 /// S30: a row for each tenth of the run.
 void rest(const char* file, int steps)
 {
@@ -181,6 +212,11 @@ int main(int argc, char** argv)
     if (what == "pairs")
     {
         pairs(number(2, 46));
+        return 0;
+    }
+    if (what == "kernels")
+    {
+        kernels(number(2, 160));
         return 0;
     }
     if ((what == "still" || what == "rest") && argc < 3) return 1;
