@@ -69,6 +69,7 @@ struct LoadedContact
 class GrainDynamics
 {
 public:
+    /// Errors: std::invalid_argument for a scene or settings that cannot run (sceneCheck.hpp), unknown solvers and vector paths
     GrainDynamics
     (
         Grains grains, Materials materials, Walls walls, PeriodicBox box,
@@ -78,6 +79,7 @@ public:
 
     const Grains& grains() const;
     /// Replaces the grains, for whoever adds, removes or moves some; impulses follow the identities that are still there.
+    /// Errors: std::invalid_argument as the constructor
     void setGrains(Grains grains);
     /// Velocity [m/s] and spin [rad/s] of a held grain (Grains::isFixed, infinite mass), which moves and turns with them whatever
     /// touches it, until they are given anew. To be called before beginStep; contactForce() and contactTorque() tell what it takes.
@@ -94,12 +96,14 @@ public:
     bool hasContacts() const;
 
     /// Velocities and contact forces that the step would end with under `forces`, moving nothing.
+    /// Errors: as advance()
     Prediction predict(const ExternalForces& forces);
 
     /// As predict(), for forces that are not to come: the next solve starts from the impulses before this one.
     Prediction tryForces(const ExternalForces& forces);
 
     /// Completes the step begun: free velocities, contact solve, motion, restitution, overlap correction.
+    /// Errors: std::invalid_argument for forces that are not finite or not one for each grain, std::logic_error without beginStep()
     /// Ensures: no contact's gap falls below -(dead band + displacement tolerance) if the report says converged
     StepReport advance(const ExternalForces& forces);
 

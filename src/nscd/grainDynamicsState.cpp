@@ -55,7 +55,7 @@ GrainDynamics::GrainDynamics
 :
     self_(std::make_unique<Implementation>())
 {
-    checkWalls(walls, materials);
+    checkWalls(walls);
     checkGrains(grains, materials, walls);
     checkBox(box);
     checkSettings(settings);

@@ -29,7 +29,7 @@ struct RollingSlot
     double rolling = 0.0;            ///< mu_r
     double spinning = 0.0;           ///< mu_s
     double shareA = 0.0;             ///< a = R'/R_A
-    double shareB = 0.0;             ///< b = R'/R_B, 0 at a wall
+    double shareB = 0.0;             ///< b = R'/R_B, 1 at a wall, whose s is R_A omega of the wall (0 at rest)
 
     bool isUsed() const { return rolling > 0.0 || spinning > 0.0; }
     bool isLoaded() const { return q[0] != 0.0 || q[1] != 0.0 || q[2] != 0.0; }

@@ -55,9 +55,27 @@ void checkPair(const Materials& materials, int a, int b)
     throw invalidValue("pair of materials " + materials.names()[a] + "-" + materials.names()[b], "not set", "setPair() for all that can meet");
 }
 
+/// Those of walls that have a shape; walls without may lack a material, and so may all where there are no grains.
+std::vector<int> wallMaterials(const Walls& walls, const Materials& materials)
+{
+    std::vector<char> hasShape(walls.patches.size(), 0);
+    for (const WallRegion& region : walls.regions) hasShape[region.patch] = 1;
+    std::vector<int> used;
+    for (std::size_t k = 0; k < walls.patches.size(); ++k)
+    {
+        const WallPatch& patch = walls.patches[k];
+        if (!hasShape[k]) continue;
+        if (patch.material >= 0 && patch.material < materials.size()) used.push_back(patch.material);
+        else throw invalidValue("material of wall " + patch.name, patch.material, "the index of a material added before");
+    }
+    return used;
+}
+
 /// Pairs of the materials of grains among themselves and with walls.
 void checkPairs(const Grains& grains, const Materials& materials, const Walls& walls)
 {
+    if (grains.size() == 0) return;
+    const std::vector<int> onWalls = wallMaterials(walls, materials);
     std::vector<char> isUsed(materials.size(), 0);
     for (const int material : grains.material) isUsed[material] = 1;
     for (int a = 0; a < materials.size(); ++a)
@@ -67,7 +85,7 @@ void checkPairs(const Grains& grains, const Materials& materials, const Walls& w
         {
             if (isUsed[b]) checkPair(materials, a, b);
         }
-        for (const WallPatch& patch : walls.patches) checkPair(materials, a, patch.material);
+        for (const int b : onWalls) checkPair(materials, a, b);
     }
 }
 
@@ -89,14 +107,9 @@ void checkGrains(const Grains& grains, const Materials& materials, const Walls& 
     checkPairs(grains, materials, walls);
 }
 
-void checkWalls(const Walls& walls, const Materials& materials)
+void checkWalls(const Walls& walls)
 {
     const int nPatches = static_cast<int>(walls.patches.size());
-    for (const WallPatch& patch : walls.patches)
-    {
-        if (patch.material >= 0 && patch.material < materials.size()) continue;
-        throw invalidValue("material of wall " + patch.name, patch.material, "the index of a material added before");
-    }
     for (const WallRegion& region : walls.regions)
     {
         if (region.patch < 0 || region.patch >= nPatches) throw invalidValue("patch of a wall region", region.patch, "an index of addPatch()");

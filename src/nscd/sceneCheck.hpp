@@ -14,11 +14,11 @@ namespace nscd
 {
 
 /// Errors: std::invalid_argument for arrays that differ in length, values that are not finite, radii and masses that are not
-/// positive, and materials that are not there or lack the coefficients of a pair that can meet
+/// positive, and materials of grains and walls that are not there or lack the coefficients of a pair that can meet
 void checkGrains(const Grains& grains, const Materials& materials, const Walls& walls);
 
-/// Errors: std::invalid_argument for regions of no patch, patches of no material, and geometry that is not finite
-void checkWalls(const Walls& walls, const Materials& materials);
+/// Errors: std::invalid_argument for regions of no patch and geometry that is not finite
+void checkWalls(const Walls& walls);
 
 /// Errors: std::invalid_argument for periods that are negative or not finite
 void checkBox(const PeriodicBox& box);

@@ -57,7 +57,7 @@ struct Walls
     std::vector<WallPatch> patches;
     std::vector<WallRegion> regions;
 
-    /// Adds a patch and returns its index.
+    /// Adds a patch and returns its index, for what follows; other ones are refused with std::invalid_argument.
     int addPatch(const std::string& name, int material);
     /// Adds an infinite plane through `point`; `normal` points to the grains and need not be of unit length.
     void addPlane(int patch, const Vec3& point, const Vec3& normal, WallSides sides = WallSides::one);

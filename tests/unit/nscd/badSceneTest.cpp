@@ -157,6 +157,20 @@ TEST(BadCalls, whatOverflowsIsRefused)
     }
 }
 
+TEST(SmallScenes, wallsNeedAMaterialWhereGrainsCanMeetThem)
+{
+    Scene scene(3, 0.3, 0.1);
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    scene.walls.patches[0].material = -1;
+    auto withoutGrains = scene.build();
+    EXPECT_TRUE(step(withoutGrains, scene.g, 1e-3).solve.converged);
+    scene.addGrain(Vec3(0, 0, 1), 0.01);
+    EXPECT_NE(refusal([&] { withoutGrains.setGrains(scene.grains); }).find("material of wall wall0"), std::string::npos);
+    scene.walls.regions.clear();
+    auto withoutShape = scene.build();
+    EXPECT_TRUE(step(withoutShape, scene.g, 1e-3).solve.converged);
+}
+
 TEST(SmallScenes, nothingAndOneGrainRun)
 {
     Scene scene(3, 0.3, 0.1);
