@@ -119,7 +119,7 @@ int main(int count, char** arguments)
     if (isFull) judge(csv, 0.2, 0.1, 0.82, 100, 50, 2.5e-5, true);
     else
     {
-        judge(csv, 0.05, 0.025, 0.80, 100, 100, 1e-4, true);
+        judge(csv, 0.05, 0.025, 0.80, 100, 100, 1e-4, false);
         judge(csv, 0.05, 0.025, 0.815, 100, 100, 1e-4, false);
     }
     return bars::status();
