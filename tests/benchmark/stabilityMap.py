@@ -14,7 +14,7 @@ PROGRAM = ROOT/"build/core/benchmark/stabilityMap"
 BEDS = ROOT/"build/beds"
 TOLERANCES = ("1e-1", "1e-2", "1e-3")
 STEPS_OF_TIME = ("2.5e-4", "1e-3")
-SHORT = {"layers": (10, 25, 50, 100), "caps": (3, 10, 30, 100, 1000), "steps": 200}
+SHORT = {"layers": (10, 25, 50, 100), "caps": (3, 10, 30, 1000), "steps": 300}
 LONG = {"layers": (10, 15, 25, 35, 50, 70, 100), "caps": (3, 5, 10, 20, 30, 50, 100, 200, 1000), "steps": 1000}
 COLUMNS = ("layers", "cap", "tolerance", "deltaT", "energy", "baseError", "baseMean", "sunk", "capped", "sweeps")
 # At rest: kinetic energy per grain below this, in m g d; base force within this share of the weight in every step; sunk by less, in d.
