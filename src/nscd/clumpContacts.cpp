@@ -4,6 +4,7 @@
 // The pass over contacts of clumps.
 #include "clumpContacts.hpp"
 
+#include "clumpVisits.hpp"
 #include "clumps.hpp"
 #include "contactList.hpp"
 #include "generalContact.hpp"
@@ -148,6 +149,15 @@ double naturalMap(const ContactBlock& block, int lane, const Vec3& n, const Vec3
     return normal*normal + (rt - q).squaredNorm()/(block.invWt[lane]*block.invWt[lane]);
 }
 
+/// Impulse of a contact with all others held, from its present impulse and relative velocity.
+template<class AnyContact>
+Vec3 solved(const AnyContact& contact, const Vec3& r, const Vec3& u)
+{
+    const ClumpSlot& slot = contact.slot;
+    const ContactBlock& block = contact.block;
+    return solveCoulomb({slot.w, slot.inverse, contact.n, block.bias[contact.lane], block.friction[contact.lane]}, u - slot.w*r);
+}
+
 void add(DefectSums& sums, double defect2, bool isActive)
 {
     if (isActive)
@@ -159,26 +169,6 @@ void add(DefectSums& sums, double defect2, bool isActive)
 }
 
 } // namespace
-
-ClumpList listClumps(const Clumps& clumps, const std::vector<int>& grainOf)
-{
-    ClumpList list;
-    std::vector<int> bodyOf(grainOf.size());
-    for (std::size_t body = 0; body < grainOf.size(); ++body) bodyOf[grainOf[body]] = static_cast<int>(body);
-    list.bodies.resize(clumps.size());
-    list.memberOf.assign(clumps.empty() ? 0 : grainOf.size(), -1);
-    for (std::size_t c = 0; c < clumps.size(); ++c)
-    {
-        const std::vector<Ball>& balls = clumps.shapeOf(c).members;
-        for (std::size_t k = 0; k < balls.size(); ++k)
-        {
-            const int body = bodyOf[clumps.firstMember[c] + k];
-            list.memberOf[body] = static_cast<int>(list.members.size());
-            list.members.push_back({static_cast<int>(c), body, balls[k].center, Vec3::Zero()});
-        }
-    }
-    return list;
-}
 
 void prepareClumpSlots(ContactList& list, double deltaT, double deadBand, double unreachable, double impulseScale)
 {
@@ -218,11 +208,10 @@ DefectSums sweepClumps(Body* bodies, ContactBlock* blocks, ClumpList& clumps, Bl
             const MovingContact contact(bodies, clumps, block, range[k], lane);
             const Vec3 r = inBlock(block.r, lane), u = contact.relativeVelocity();
             if (r == Vec3::Zero() && contact.n.dot(u) + block.bias[lane] >= 0.0) continue;
-            const GeneralContact law{contact.slot.w, contact.slot.inverse, contact.n, block.bias[lane], block.friction[lane]};
-            const Vec3 p = solveCoulomb(law, u - law.w*r), change = p - r;
-            add(sums, (law.w*change).squaredNorm(), true);
+            const Vec3 change = solved(contact, r, u) - r;
+            add(sums, (contact.slot.w*change).squaredNorm(), true);
             contact.apply(change);
-            setImpulse(block, lane, p);
+            setImpulse(block, lane, r + change);
         }
     }
     return sums;
@@ -263,6 +252,22 @@ void replaceClumpImpulses(Body* bodies, ContactBlock* blocks, ClumpList& clumps,
             for (int axis = 0; axis < 3; ++axis) values[axis*blockLanes + lane] = p[axis];
         }
     }
+}
+
+ClumpChange clumpChange(const Body* bodies, const ContactBlock* blocks, const ClumpList& clumps, std::size_t slot)
+{
+    const ConstContact contact(bodies, clumps, blocks[slot/blockLanes], slot/blockLanes, slot % blockLanes);
+    const Vec3 r = inBlock(contact.block.r, contact.lane);
+    const Vec3 change = solved(contact, r, contact.relativeVelocity()) - r;
+    return {change, (contact.slot.w*change).norm()};
+}
+
+void applyClumpChange(Body* bodies, ContactBlock* blocks, ClumpList& clumps, std::size_t slot, const Vec3& change)
+{
+    ContactBlock& block = blocks[slot/blockLanes];
+    const MovingContact contact(bodies, clumps, block, slot/blockLanes, slot % blockLanes);
+    contact.apply(change);
+    setImpulse(block, contact.lane, inBlock(block.r, contact.lane) + change);
 }
 
 bool isClumpBlockActive(const Body* bodies, const ContactBlock* blocks, const ClumpList& clumps, std::size_t k)

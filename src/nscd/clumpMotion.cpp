@@ -7,6 +7,8 @@
 #include "freeRotation.hpp"
 #include "invalidValue.hpp"
 
+#include <algorithm>
+
 namespace nscd
 {
 
@@ -39,6 +41,15 @@ void setMotion(Body& body, const Vec3& v, const Vec3& omega, const Vec3& arm, do
 }
 
 } // namespace
+
+void measureClumps(const Clumps& clumps, double (&extremes)[2])
+{
+    for (std::size_t c = 0; c < clumps.size(); ++c)
+    {
+        extremes[0] = std::max(extremes[0], clumps.shapeOf(c).mass);
+        extremes[1] = std::max(extremes[1], 1.0/clumps.shapeOf(c).mass);
+    }
+}
 
 void setFreeClumps(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT)
 {

@@ -10,6 +10,9 @@
 namespace nscd
 {
 
+/// Raises `extremes`, of the grains that move the largest mass [kg] and the largest inverse of one [1/kg], to those of the clumps.
+void measureClumps(const Clumps& clumps, double (&extremes)[2]);
+
 /// Free motion of clumps: v + dt f/m, and the spin that L + dt t makes of itself in the step (midpointSpin: eq. 2.7 of the method). Forces
 /// on members act at the mass center of their clump, so that weight turns nothing; their torques add up.
 /// Members among the list's bodies get the velocities.

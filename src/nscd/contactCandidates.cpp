@@ -4,6 +4,7 @@
 // Pairs, walls, and who solves what lies between two ranks.
 #include "contactCandidates.hpp"
 
+#include "clumpCandidates.hpp"
 #include "wallSearch.hpp"
 
 #include <algorithm>
@@ -37,14 +38,6 @@ std::vector<Candidate> findWalls(const ContactList& list, const std::vector<doub
         for (int region : regions) found.push_back({body, -1, region, {0, 0, 0}});
     }
     return found;
-}
-
-/// Members of a clump never meet.
-void removeWithinClumps(std::vector<Candidate>& candidates, const ClumpList& clumps)
-{
-    const auto clumpOf = [&](int body) { return clumps.memberOf[body] < 0 ? -1 : clumps.members[clumps.memberOf[body]].clump; };
-    const auto isWithin = [&](const Candidate& c) { return c.wall < 0 && clumpOf(c.a) >= 0 && clumpOf(c.a) == clumpOf(c.b); };
-    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), isWithin), candidates.end());
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 // Building the list of candidates: sort bodies, find ghosts, pairs and walls, pack them into blocks of independent lanes.
 #include "contactList.hpp"
 
+#include "clumpCandidates.hpp"
 #include "contactCandidates.hpp"
 #include "listBlocks.hpp"
 #include "mortonOrder.hpp"
@@ -180,33 +181,6 @@ void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Can
     }
 }
 
-bool isOfClump(const ContactList& list, const Candidate& c)
-{
-    return list.clumps.memberOf[c.a] >= 0 || (c.b < list.owned() && list.clumps.memberOf[c.b] >= 0);
-}
-
-/// Candidates of clumps go to the end, in their order: no kernel works on them, so that lanes need not be independent.
-Batches batchInner(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter)
-{
-    if (list.clumps.empty()) return batchNearAndFar(list, scene, candidates, diameter);
-    std::vector<Candidate> single;
-    for (const Candidate& c : candidates)
-    {
-        if (!isOfClump(list, c)) single.push_back(c);
-    }
-    const Batches ofSingle = batchNearAndFar(list, scene, single, diameter);
-    Batches all{ofSingle.blocks, std::vector<std::uint32_t>(candidates.size())};
-    list.clumps.firstBlock = ofSingle.blocks;
-    std::size_t next = 0, last = ofSingle.blocks*blockLanes;
-    for (std::size_t k = 0; k < candidates.size(); ++k)
-    {
-        all.slotOf[k] = isOfClump(list, candidates[k]) ? last++ : ofSingle.slotOf[next++];
-    }
-    all.blocks = (last + blockLanes - 1)/blockLanes;
-    list.clumps.slots.resize((all.blocks - ofSingle.blocks)*blockLanes);
-    return all;
-}
-
 } // namespace
 
 ContactList buildContactList
@@ -236,7 +210,7 @@ ContactList buildContactList
     addWallBodies(list, scene, candidates);
 
     Batches isolated = batchNearAndFar(list, scene, candidates.isolated, diameter);
-    Batches inner = batchInner(list, scene, candidates.inner, diameter);
+    Batches inner = list.clumps.empty() ? batchNearAndFar(list, scene, candidates.inner, diameter) : batchWithClumps(list, scene, candidates.inner, diameter);
     Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
     reserveBlocks(list, scene, isolated.blocks + inner.blocks + interface.blocks);
     const std::vector<int> material = materialOfBodies(list, scene);

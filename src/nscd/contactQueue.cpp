@@ -4,6 +4,7 @@
 // A first-in first-out queue of contacts with their neighbors by body.
 #include "contactQueue.hpp"
 
+#include "clumpVisits.hpp"
 #include "localContact.hpp"
 
 #include <array>
@@ -21,7 +22,9 @@ namespace
 std::array<std::int32_t, 2> bodiesOf(const ContactProblem& problem, std::size_t slot)
 {
     const ContactBlock& block = problem.blocks[slot/blockLanes];
-    return {block.a[slot % blockLanes], block.b[slot % blockLanes]};
+    const std::int32_t a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
+    if (!problem.clumps) return {a, b};
+    return {bodyForClump(*problem.clumps, a), bodyForClump(*problem.clumps, b)};
 }
 
 bool isMovable(const ContactProblem& problem, std::int32_t body) { return problem.bodies[body].invMass > 0.0; }

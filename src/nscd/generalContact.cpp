@@ -43,49 +43,50 @@ public:
         closing_ = contact.n.dot(freeVelocity) + contact.bias;
     }
 
-    double angleOf(const Vec3& r) const
+    /// Unit tangent along the tangential part of r.
+    Vec2 directionOf(const Vec3& r) const
     {
         const Vec2 t = tangents_.transpose()*r;
-        return std::atan2(t[1], t[0]);
+        const double size = t.norm();
+        return size > 0.0 ? Vec2(t/size) : Vec2(1.0, 0.0);
     }
 
-    Vec3 impulse(const Vec3& n, double angle) const
+    Vec3 impulse(const Vec3& n, const Vec2& t) const
     {
-        const Vec2 t = direction(angle);
         return -closing_/denominator(t)*(n + mu_*(tangents_*t));
     }
 
-    /// Newton's method. Returns whether it ended at a solution.
-    bool refine(double& angle) const
+    /// Newton's method for the angle, by turns of tangent `step`. Returns whether it ended at a solution.
+    bool refine(Vec2& start) const
     {
-        double x = angle;
+        Vec2 t = start;
         for (int k = 0; k < newtonSteps; ++k)
         {
-            const Vec2 t = direction(x), across = turned(t), g = slip(t);
+            const Vec2 across = turned(t), g = slip(t);
             const Vec2 slope = free_*(mu_*w_.dot(across)) - closing_*mu_*(wtt_*across);
             const double step = across.dot(g)/(across.dot(slope) - t.dot(g));
-            if (!(std::abs(step) < 0.5*pi)) return false;
-            x -= step;
+            if (!(std::abs(step) < 2.0)) return false;
+            t = (t - step*across).normalized();
             if (std::abs(step) > 1e-14) continue;
-            angle = x;
-            return isSolution(x);
+            start = t;
+            return isSolution(t);
         }
         return false;
     }
 
-    /// The solution nearest to an angle, from sign changes. Returns whether there is any.
-    bool search(double& angle) const
+    /// The solution nearest to a direction, from sign changes over the circle. Returns whether there is any.
+    bool search(Vec2& t) const
     {
         double nearest = std::numeric_limits<double>::max();
-        const double start = angle;
+        const double start = std::atan2(t[1], t[0]);
         for (int k = 0; k < sectors; ++k)
         {
             const double a = start + 2.0*pi*(k - 0.5)/sectors, b = a + 2.0*pi/sectors;
             if ((defect(a) > 0.0) == (defect(b) > 0.0)) continue;
             const double x = bisect(a, b), distance = std::abs(std::remainder(x - start, 2.0*pi));
-            if (!isSolution(x) || distance >= nearest) continue;
+            if (!isSolution(direction(x)) || distance >= nearest) continue;
             nearest = distance;
-            angle = x;
+            t = direction(x);
         }
         return nearest < std::numeric_limits<double>::max();
     }
@@ -94,11 +95,7 @@ private:
     double denominator(const Vec2& t) const { return wnn_ + mu_*w_.dot(t); }
     Vec2 slip(const Vec2& t) const { return free_*denominator(t) - closing_*(w_ + mu_*(wtt_*t)); }
     double defect(double angle) const { return turned(direction(angle)).dot(slip(direction(angle))); }
-    bool isSolution(double angle) const
-    {
-        const Vec2 t = direction(angle);
-        return denominator(t) > 0.0 && t.dot(slip(t)) <= 0.0;
-    }
+    bool isSolution(const Vec2& t) const { return denominator(t) > 0.0 && t.dot(slip(t)) <= 0.0; }
 
     double bisect(double a, double b) const
     {
@@ -132,8 +129,8 @@ Vec3 solveCoulomb(const GeneralContact& contact, const Vec3& freeVelocity)
     if (rn >= 0.0 && (sticking - rn*n).norm() <= contact.friction*rn) return sticking;
 
     const Sliding sliding(contact, freeVelocity);
-    double angle = sliding.angleOf(sticking);
-    if (sliding.refine(angle) || sliding.search(angle)) return sliding.impulse(n, angle);
+    Vec2 t = sliding.directionOf(sticking);
+    if (sliding.refine(t) || sliding.search(t)) return sliding.impulse(n, t);
     return frictionless;
 }
 

@@ -35,16 +35,6 @@ void checkForces(const ExternalForces& external, std::size_t grains)
     if (!(external.speedScale >= 0.0) || !std::isfinite(external.speedScale)) throw invalidValue("speed scale", external.speedScale, "a finite value >= 0 m/s");
 }
 
-/// Largest mass, and largest inverse of one.
-void measureClumps(const Grains& grains, double (&extremes)[2])
-{
-    for (std::size_t c = 0; c < grains.clumps.size(); ++c)
-    {
-        extremes[0] = std::max(extremes[0], grains.clumps.shapeOf(c).mass);
-        extremes[1] = std::max(extremes[1], 1.0/grains.clumps.shapeOf(c).mass);
-    }
-}
-
 } // namespace
 
 void GrainDynamics::Implementation::measureGrains()
@@ -61,7 +51,7 @@ void GrainDynamics::Implementation::measureGrains()
         extremes[0] = std::max(extremes[0], grains.mass[i]);
         extremes[1] = std::max(extremes[1], 1.0/grains.mass[i]);
     }
-    if (!grains.clumps.empty()) measureClumps(grains, extremes);
+    measureClumps(grains.clumps, extremes);
     exchange->max(extremes, 2);
     massRatio = extremes[0]*extremes[1];
 }

@@ -4,6 +4,8 @@
 // The closed-form solution of one contact, in plain scalar code.
 #include "localContact.hpp"
 
+#include "clumpVisits.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,6 +30,11 @@ double dot(const double a[3], const double b[3]) { return a[0]*b[0] + a[1]*b[1] 
 
 LocalChange localChange(const ContactProblem& problem, std::size_t slot)
 {
+    if (isOfClump(problem.clumps, slot))
+    {
+        const ClumpChange change = clumpChange(problem.bodies.data(), problem.blocks.data(), *problem.clumps, slot);
+        return {{change.impulse[0], change.impulse[1], change.impulse[2]}, change.defect};
+    }
     const ContactBlock& block = problem.blocks[slot/blockLanes];
     const int lane = slot % blockLanes;
     return localChange(problem, slot, 1.0/block.invWn[lane], 1.0/block.invWt[lane]);
@@ -66,6 +73,11 @@ LocalChange localChange(const ContactProblem& problem, std::size_t slot, double 
 
 void apply(ContactProblem& problem, std::size_t slot, const LocalChange& change)
 {
+    if (isOfClump(problem.clumps, slot))
+    {
+        applyClumpChange(problem.bodies.data(), problem.blocks.data(), *problem.clumps, slot, Vec3(change.impulse));
+        return;
+    }
     ContactBlock& block = problem.blocks[slot/blockLanes];
     const int lane = slot % blockLanes;
     const double n[3] = {block.n[0][lane], block.n[1][lane], block.n[2][lane]};

@@ -161,14 +161,13 @@ void SlowSolve::revert()
 
 bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const
 {
-    if (problem_.clumps) return false;  // the queue knows single grains only
     return sweeps - lastLocal_ > sweepsBetweenQueues && sums.maxSquare > rule.maxLimit*rule.maxLimit && rms(sums) < rule.rmsLimit;
 }
 
 int SlowSolve::solveLocally(int sweeps, const StopRule& rule)
 {
     // Between ranks there are only sweeps: each works on contacts that no other can disturb.
-    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, problem_.inner());
+    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, problem_.clumps ? problem_.active() : problem_.inner());
     const std::size_t used = std::max<std::size_t>(1, queue_->slots().size());
     const double threshold = 0.5*rule.maxLimit;
     const std::size_t visits = queue_->work(queue_->defective(threshold), threshold, sweepsPerQueue*used);
