@@ -140,7 +140,7 @@ def rest(o, peers):
     width = settledBed(o.bed, o.core)[0]
     table = Table("peersRest", COLUMNS)
     state = softRuns.FOLDER/"bed.state"
-    for kind, more in (("awake", {"sleep": 0, "warmUp": 20}), ("asleep", {"sleep": 1, "warmUp": 150})):
+    for kind, more in (("awake", {"sleep": 0, "warmUp": 20}), ("asleep", {"sleep": 1, "warmUp": 1000})):
         ourRow(table, "bed", kind, 0, ourRuns.window("bed", o.bed, state, o.core, ourRuns.REST, steps=REST_STEPS, **more))
     for modulus in MODULI:
         for peer in peers:

@@ -154,7 +154,13 @@ void timeWindow(Run& run, const Options& o)
 {
     const double deltaT = number(o, "deltaT");
     Interval start, interval;
-    for (int k = 0; k < int(number(o, "warmUp")); ++k) start.step(run, deltaT);
+    // The last grains that roll keep their islands awake.
+    const bool isDamped = number(o, "sleep") != 0;
+    for (int k = 0; k < int(number(o, "warmUp")); ++k)
+    {
+        if (isDamped) stepDamped(run.dynamics, run.scene.g, deltaT);
+        else start.step(run, deltaT);
+    }
     for (int k = 0; k < int(number(o, "steps")); ++k) interval.step(run, deltaT);
     printHead();
     print(interval, run, deltaT);

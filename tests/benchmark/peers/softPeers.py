@@ -42,7 +42,7 @@ def rebound(modulus, damping, speed):
 def lammpsDamping(modulus, speed=0.3):
     """gamma_n that gives RESTITUTION at an impact of `speed` [m/s]: the law has none that holds at every speed."""
     low, high = 0.0, 1e3/timeStep(modulus)/RADIUS
-    for _ in range(60):
+    for _ in range(40):
         middle = 0.5*(low + high)
         low, high = (middle, high) if rebound(modulus, middle, speed) > RESTITUTION else (low, middle)
     return 0.5*(low + high)
