@@ -20,6 +20,8 @@ namespace
 constexpr double polishPerMotion = 10.0;
 /// What polishing asks for at most, in units of both limits.
 constexpr double finestPolish = 1e-3;
+/// Largest defect of a polished solution, in units of its rms limit.
+constexpr double loneDefect = 10.0;
 
 DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& other)
 {
@@ -53,7 +55,8 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
     const double lengthRate = problem.diameter/problem.deltaT;
     const double speed = std::max({problem.speedScale, 1e-3*rms(first), 1e-3*settings.deadBand*lengthRate});
     const double polish = std::min(1.0, std::max(finestPolish, polishPerMotion*problem.motion));
-    return {settings.tolerance*speed, settings.displacementTolerance*lengthRate, speed, polish};
+    const double rmsLimit = settings.tolerance*speed, maxLimit = settings.displacementTolerance*lengthRate;
+    return {rmsLimit, maxLimit, speed, polish*rmsLimit, polish < 1.0 ? polish*std::min(maxLimit, loneDefect*rmsLimit) : maxLimit};
 }
 
 BlockRange ContactProblem::inner() const

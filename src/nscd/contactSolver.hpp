@@ -70,22 +70,23 @@ void replaceImpulses(ContactProblem& problem, std::vector<double>& target);
 /// Stop rule, absolute (grains.md sections 2 and 9): rms defect <= tolerance vs and largest defect dt <= displacementTolerance d, with
 /// vs = max(speed scale of the forces, 1e-3 rms defect of the first pass, 1e-3 dead band/dt).
 /// What the rule leaves of defects is the noise of a bed at rest: grains keep moving by it, contacts leave the dead band, and the
-/// bed creeps. So a bed that hardly moves is polished: limits shrink with its motion, down to 1e-3 of themselves, for some more sweeps.
+/// bed creeps. So a bed that hardly moves is polished: limits shrink with its motion, down to 1e-3 of themselves, for some more sweeps;
+/// and no defect may exceed ten times the rms limit then: a grain that can roll freely is driven by what a single contact is off by.
 struct StopRule
 {
     double rmsLimit;     ///< [m/s]
     double maxLimit;     ///< [m/s]
     double speedScale;
-    double polish;       ///< share of both limits that a polished solution keeps to
+    double polishedRms;  ///< the same limits for a polished solution
+    double polishedMax;
 
-    bool isMet(const DefectSums& sums) const { return isWithin(sums, 1.0); }
-    bool isPolished(const DefectSums& sums) const { return isWithin(sums, polish); }
+    bool isMet(const DefectSums& sums) const { return isWithin(sums, rmsLimit, maxLimit); }
+    bool isPolished(const DefectSums& sums) const { return isWithin(sums, polishedRms, polishedMax); }
 
 private:
-    bool isWithin(const DefectSums& sums, double share) const
+    static bool isWithin(const DefectSums& sums, double rms, double max)
     {
-        const double rms2 = share*share*rmsLimit*rmsLimit, max2 = share*share*maxLimit*maxLimit;
-        return sums.sumSquares <= rms2*std::max(1.0, sums.active) && sums.maxSquare <= max2;
+        return sums.sumSquares <= rms*rms*std::max(1.0, sums.active) && sums.maxSquare <= max*max;
     }
 };
 

@@ -20,7 +20,7 @@ SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings)
     const std::size_t maxVisits = used*static_cast<std::size_t>(settings.maxSweeps);
     std::size_t visits = 0;
     // The local threshold bounds each contact, the stop rule all of them; tighten until the rule is met.
-    const double finest = rule.polish*std::min(rule.rmsLimit, rule.maxLimit);
+    const double finest = std::min(rule.polishedRms, rule.polishedMax);
     double threshold = std::min(rule.rmsLimit, rule.maxLimit);
     do
     {

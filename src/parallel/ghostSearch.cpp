@@ -20,7 +20,7 @@ namespace
 using Box = Eigen::AlignedBox3d;
 
 /// A ghost on its way: GhostGrain without Eigen's types.
-struct Ball
+struct ReachBall
 {
     std::array<double, 3> position;
     double radius, reach, inverseMass;
@@ -29,9 +29,9 @@ struct Ball
     int padding = 0;  ///< no byte of a message is undefined
 };
 
-std::vector<Ball> ballsOf(int rank, const Grains& grains, const std::vector<double>& reach, const PeriodicBox& box)
+std::vector<ReachBall> ballsOf(int rank, const Grains& grains, const std::vector<double>& reach, const PeriodicBox& box)
 {
-    std::vector<Ball> balls;
+    std::vector<ReachBall> balls;
     balls.reserve(grains.nOwned);
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
@@ -46,10 +46,10 @@ std::vector<Ball> ballsOf(int rank, const Grains& grains, const std::vector<doub
     return balls;
 }
 
-Box boxAround(const std::vector<Ball>& balls)
+Box boxAround(const std::vector<ReachBall>& balls)
 {
     Box around;
-    for (const Ball& ball : balls)
+    for (const ReachBall& ball : balls)
     {
         const Vec3 center(ball.position.data());
         const Vec3 extent = Vec3::Constant(ball.radius + ball.reach);
@@ -67,7 +67,7 @@ double gapTo(double x, double lower, double upper, double period)
     return period > 0.0 ? std::min({gap(x), gap(x - period), gap(x + period)}) : gap(x);
 }
 
-bool meets(const Ball& ball, const Box& around, const PeriodicBox& box)
+bool meets(const ReachBall& ball, const Box& around, const PeriodicBox& box)
 {
     if (around.isEmpty()) return false;
     double distance2 = 0.0;
@@ -81,26 +81,26 @@ bool meets(const Ball& ball, const Box& around, const PeriodicBox& box)
     return distance2 <= radius*radius;
 }
 
-GhostGrain ghostOf(const Ball& ball)
+GhostGrain ghostOf(const ReachBall& ball)
 {
     const Vec3 position(ball.position.data());
     return {position, ball.radius, ball.reach, ball.inverseMass, ball.id, ball.material, ball.owner, ball.index};
 }
 
 /// Balls of other ranks that meet this rank's box: at the last level, this rank is a half.
-std::vector<Ball> routeDown(const RankTree& tree, const std::vector<Ball>& own, const PeriodicBox& box)
+std::vector<ReachBall> routeDown(const RankTree& tree, const std::vector<ReachBall>& own, const PeriodicBox& box)
 {
     const std::vector<HalfBoxes> halves = boxesOfHalves(tree, boxAround(own));
-    std::vector<Ball> received;
+    std::vector<ReachBall> received;
     for (std::size_t l = 0; l < halves.size(); ++l)
     {
-        const auto meetsOther = [&](const Ball& ball) { return meets(ball, halves[l].other, box); };
-        const auto missesOwn = [&](const Ball& ball) { return !meets(ball, halves[l].own, box); };
-        std::vector<Ball> sent;
+        const auto meetsOther = [&](const ReachBall& ball) { return meets(ball, halves[l].other, box); };
+        const auto missesOwn = [&](const ReachBall& ball) { return !meets(ball, halves[l].own, box); };
+        std::vector<ReachBall> sent;
         std::copy_if(own.begin(), own.end(), std::back_inserter(sent), meetsOther);
         std::copy_if(received.begin(), received.end(), std::back_inserter(sent), meetsOther);
         received.erase(std::remove_if(received.begin(), received.end(), missesOwn), received.end());
-        const std::vector<Ball> arrived = sendAcross(tree.levels()[l], sent);
+        const std::vector<ReachBall> arrived = sendAcross(tree.levels()[l], sent);
         received.insert(received.end(), arrived.begin(), arrived.end());
     }
     return received;
@@ -114,8 +114,8 @@ std::vector<GhostGrain> findGhosts
 )
 {
     if (reach.size() < owned.nOwned) throw invalidValue("number of reaches", reach.size(), "one for each grain owned");
-    std::vector<Ball> balls = routeDown(tree, ballsOf(tree.all().rank(), owned, reach, box), box);
-    const auto byOwner = [](const Ball& a, const Ball& b) { return std::tie(a.owner, a.index) < std::tie(b.owner, b.index); };
+    std::vector<ReachBall> balls = routeDown(tree, ballsOf(tree.all().rank(), owned, reach, box), box);
+    const auto byOwner = [](const ReachBall& a, const ReachBall& b) { return std::tie(a.owner, a.index) < std::tie(b.owner, b.index); };
     std::sort(balls.begin(), balls.end(), byOwner);
 
     std::vector<GhostGrain> ghosts;
