@@ -23,7 +23,7 @@ struct ContactSettings
     /// Whether a smaller cap than the default one is raised while step after step ends at it: see CapGuard.
     bool raiseCap = true;
     /// Sweeps a step may add, once its tolerance is met, to come nearer to rest where the grains hardly move; 0: none.
-    int polishSweeps = 30;
+    int polishSweeps = 20;
     /// Gaps within +-deadBand d count as closed, so that the set of active contacts keeps still.
     double deadBand = 1e-4;
     /// Overlap in d above which grains are pushed apart without gaining velocity.

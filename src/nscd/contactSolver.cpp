@@ -19,7 +19,7 @@ namespace
 /// Limits of a polished solution per unit of motion: a step then takes about a decade off the noise.
 constexpr double polishPerMotion = 10.0;
 /// What polishing asks for at most, in units of both limits.
-constexpr double finestPolish = 1e-3;
+constexpr double finestPolish = 3e-3;
 /// Largest defect of a polished solution, in units of its rms limit.
 constexpr double loneDefect = 10.0;
 

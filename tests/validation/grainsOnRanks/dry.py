@@ -140,7 +140,9 @@ def checkTilted(verdict, case, cut, weight):
     Friction leaves the share of each wall open: by up to friction times 0.16 of the weight, which a side wall carries here; a tenth of that."""
     steps = round((RESTED - SETTLED)/DT)
     verdict.below(cut.label + ": grains", abs(cut.report()["grains"][-1] - case.report()["grains"][-1]), 0)
-    verdict.below(cut.label + ": kinetic energy at rest / m g d", cut.report()["kineticEnergy"][-1]/(weight*D), 1e-10)
+    # A sphere that spins about the normal of its only contact does so for ever: here as in serial.
+    energies = [run.report()["kineticEnergy"][-1]/(weight*D) for run in (cut, case)]
+    verdict.below(cut.label + ": kinetic energy at rest / m g d", abs(energies[0] - energies[1]), 1e-10)
     verdict.below(cut.label + ": mass center [m]", math.dist(last(case, "massCenter"), last(cut, "massCenter")),
                   TOLERANCE*G*DT**2*math.sqrt(steps))
     verdict.below(cut.label + ": force on all walls / weight", math.dist(last(case, "wallForce"), last(cut, "wallForce"))/weight, 3e-3*TOLERANCE)
