@@ -28,7 +28,8 @@ void keepRows(const std::string& path, const std::string& head, double upTo)
     if (found != head) throw std::runtime_error(path + " has other columns than this run writes; move it away to begin another");
     nscd::CompleteFile kept(path);
     kept.stream() << head;
-    while (std::getline(old, line) && std::strtod(line.c_str(), nullptr) <= upTo) kept.stream() << line << '\n';
+    // A row without its end is one that a killed run was writing.
+    while (std::getline(old, line) && !old.eof() && std::strtod(line.c_str(), nullptr) <= upTo) kept.stream() << line << '\n';
     kept.complete();
 }
 
