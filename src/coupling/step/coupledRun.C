@@ -210,10 +210,11 @@ void CoupledRun::settleDebt()
         const Vec3& u = step_.at.velocity[i];
         const Vec3 gradient = active_.pressureGradient ? step_.at.pressureGradient[i] : Vec3(Vec3::Zero());
         const Vec3 paid = deltaT*paidDrag(step_.drag, step_.response, step_.startVelocity[i], i, u, gradient);
-        balance += paid - debt_[i];
+        const Vec3 repaid = repaidShare*debt_[i];
+        balance += paid - repaid;
         sizes[0] += step_.received[i].norm();
         sizes[1] += dynamics_->grains().mass[i]*step_.startVelocity[i].norm();
-        debt_[i] = paid - step_.received[i];
+        debt_[i] += paid - step_.received[i] - repaid;
     }
     ranks_.exchange()->sum(balance.data(), 3);
     ranks_.exchange()->sum(sizes, 2);

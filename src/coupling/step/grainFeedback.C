@@ -43,8 +43,9 @@ GrainAmounts amountsOf
     for (std::size_t i = 0; i < n; ++i)
     {
         amounts.drag[i] = (drag.implicit[i]*(1 - response.slip[i]) + drag.remainder[i])/fluidDensity;
+        const Vec3 repaid = repaidShare/deltaT*debt[i];
         amounts.acceleration[i] =
-            (drag.implicit[i]*response.intercept[i] + drag.remainder[i]*grains.velocity[i] + debt[i]/deltaT)/fluidDensity;
+            (drag.implicit[i]*response.intercept[i] + drag.remainder[i]*grains.velocity[i] + repaid)/fluidDensity;
         amounts.carried[i] = grains.volume(i)*response.intercept[i];
         if (response.isZero) continue;
         amounts.pressure[i] = drag.implicit[i]*response.mobility[i];
