@@ -25,13 +25,6 @@ void setImpulse(ContactBlock& block, int lane, const Vec3& r)
     for (int k = 0; k < 3; ++k) block.r[k][lane] = r[k];
 }
 
-Eigen::Matrix3d crossMatrix(const Vec3& x)
-{
-    Eigen::Matrix3d m;
-    m << 0.0, -x[2], x[1], x[2], 0.0, -x[0], -x[1], x[0], 0.0;
-    return m;
-}
-
 /// The two bodies of a contact, each a clump or not. Single grains have their contact at -+R n: with s = R omega, radii drop out.
 template<class BodyPointer, class ClumpReference>
 struct Contact
@@ -217,16 +210,16 @@ DefectSums sweepClumps(Body* bodies, ContactBlock* blocks, ClumpList& clumps, Bl
     return sums;
 }
 
-DefectSums evaluateClumps(const Body* bodies, const ContactBlock* blocks, const ClumpList& clumps, BlockRange range)
+DefectSums evaluateClumps(const Body* bodies, const std::vector<ContactBlock>& blocks, const ClumpList& clumps)
 {
     DefectSums sums{0.0, 0.0, 0.0};
-    for (std::size_t k = 0; k < range.count; ++k)
+    for (std::size_t k = clumps.firstBlock; k < blocks.size(); ++k)
     {
-        const ContactBlock& block = blocks[range[k]];
+        const ContactBlock& block = blocks[k];
         for (int lane = 0; lane < blockLanes; ++lane)
         {
             if (!isUsedLane(block, lane)) continue;
-            const ConstContact contact(bodies, clumps, block, range[k], lane);
+            const ConstContact contact(bodies, clumps, block, k, lane);
             const Vec3 r = inBlock(block.r, lane), u = contact.relativeVelocity();
             const bool isActive = contact.n.dot(r) > 0.0 || contact.n.dot(u) + block.bias[lane] < 0.0;
             add(sums, naturalMap(block, lane, contact.n, r, u), isActive);

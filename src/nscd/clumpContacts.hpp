@@ -71,8 +71,8 @@ void prepareClumpSlots(ContactList& list, double deltaT, double deadBand, double
 /// One pass over the contacts of a range: each solved exactly with all others held (solveCoulomb). The defect is |W dr|.
 DefectSums sweepClumps(Body* bodies, ContactBlock* blocks, ClumpList& clumps, BlockRange range);
 
-/// The natural map with the contacts' own W_nn, and half the trace of W_tt for W_tt.
-DefectSums evaluateClumps(const Body* bodies, const ContactBlock* blocks, const ClumpList& clumps, BlockRange range);
+/// The natural map of all contacts of clumps, with the contacts' own W_nn, and half the trace of W_tt for W_tt.
+DefectSums evaluateClumps(const Body* bodies, const std::vector<ContactBlock>& blocks, const ClumpList& clumps);
 
 /// ReplaceFunction for blocks of clumps.
 void replaceClumpImpulses(Body* bodies, ContactBlock* blocks, ClumpList& clumps, BlockRange range, double* target);

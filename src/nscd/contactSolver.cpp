@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace nscd
 {
@@ -77,13 +76,6 @@ BlockRange ContactProblem::activeClumps() const
     return {awake.data() + (begin - awake.begin()), static_cast<std::size_t>(awake.end() - begin)};
 }
 
-std::vector<std::uint32_t> ContactProblem::clumpBlocks() const
-{
-    std::vector<std::uint32_t> found(blocks.size() - clumps->firstBlock);
-    std::iota(found.begin(), found.end(), static_cast<std::uint32_t>(clumps->firstBlock));
-    return found;
-}
-
 DefectSums sweepActive(ContactProblem& problem)
 {
     DefectSums inner = sweepBlocks(problem, problem.inner());
@@ -121,11 +113,7 @@ DefectSums residual(ContactProblem& problem)
     {
         here = together(here, evaluateRolling(problem.bodies.data(), problem.blocks.data(), *problem.rolling, problem.all()));
     }
-    if (problem.clumps)
-    {
-        const std::vector<std::uint32_t> blocks = problem.clumpBlocks();
-        add(here, evaluateClumps(problem.bodies.data(), problem.blocks.data(), *problem.clumps, {blocks.data(), blocks.size()}));
-    }
+    if (problem.clumps) add(here, evaluateClumps(problem.bodies.data(), problem.blocks, *problem.clumps));
     return problem.halo.isParallel() ? overRanks(problem.halo, here, {0.0, 0.0, 0.0}) : here;
 }
 

@@ -54,8 +54,6 @@ struct ContactProblem
     BlockRange interface() const;
     /// The active blocks of clumps.
     BlockRange activeClumps() const;
-    /// All blocks of clumps.
-    std::vector<std::uint32_t> clumpBlocks() const;
 };
 
 /// One pass over blocks that changes impulses and velocities in place, on this rank alone.

@@ -10,18 +10,6 @@
 namespace nscd
 {
 
-namespace
-{
-
-Eigen::Matrix3d crossMatrix(const Vec3& n)
-{
-    Eigen::Matrix3d cross;
-    cross << 0.0, -n[2], n[1], n[2], 0.0, -n[0], -n[1], n[0], 0.0;
-    return cross;
-}
-
-} // namespace
-
 ContactStiffness::ContactStiffness(const std::vector<JoinedBodies>& contacts, int bodies, MotionComponents components)
 :
     contacts_(contacts),

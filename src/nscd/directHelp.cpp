@@ -87,14 +87,22 @@ namespace
 std::string massWarning(const SolveReport& report)
 {
     char text[600] = "";
-    if (report.hiddenMassRatio > 0.0) std::snprintf
+    if (report.hiddenMassRatio == 0.0) return text;
+    std::snprintf
     (
         text, sizeof(text),
         "masses in contact differ by up to 1:%.3g, and the direct method is too dear for this scene or not to be had on several ranks: "
         "velocities have the accuracy asked for, forces under the heavy bodies may not; ask for a finer tolerance where they matter",
         report.hiddenMassRatio
     );
-    else if (report.hasGainedEnergy()) std::snprintf
+    return text;
+}
+
+std::string energyWarning(const SolveReport& report)
+{
+    char text[600] = "";
+    if (!report.hasGainedEnergy()) return text;
+    std::snprintf
     (
         text, sizeof(text),
         "restitution and friction at once would have created %.3g J in a step (Newton's law of impact may): all its rebounds were "
@@ -108,8 +116,12 @@ std::string massWarning(const SolveReport& report)
 
 std::string warning(const SolveReport& report)
 {
-    const std::string mass = massWarning(report), cap = capWarning(report);
-    return mass + (mass.empty() || cap.empty() ? "" : "; and ") + cap;
+    std::string all;
+    for (const std::string& one : {massWarning(report), energyWarning(report), capWarning(report)})
+    {
+        if (!one.empty()) all += (all.empty() ? "" : "; and ") + one;
+    }
+    return all;
 }
 
 } // namespace nscd

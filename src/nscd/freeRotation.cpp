@@ -13,13 +13,6 @@ namespace
 constexpr int maxIterations = 50;
 constexpr double precision = 1e-15;
 
-Eigen::Matrix3d crossMatrix(const Vec3& x)
-{
-    Eigen::Matrix3d m;
-    m << 0.0, -x[2], x[1], x[2], 0.0, -x[0], -x[1], x[0], 0.0;
-    return m;
-}
-
 } // namespace
 
 Vec3 midpointSpin(const Quaternion& orientation, const Eigen::Matrix3d& inertia, const Vec3& angularMomentum, double deltaT)

@@ -33,11 +33,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     shockSettings.displacementTolerance = 1.0;
     const SolveReport shock = solveBesideIsolated(problem, list.isolatedBlocks, shockSettings, solve);
     if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
-    report.sweeps += shock.sweeps;
-    report.newtonSteps += shock.newtonSteps;
-    report.converged = report.converged && shock.converged;
-    report.residualRms = std::max(report.residualRms, shock.residualRms);
-    report.residualMax = std::max(report.residualMax, shock.residualMax);
+    report = worstOf(shock, report);
     limitWork(freeBodies, inelastic, shock, report);
     forces = contactForces();
     // The next step starts from the impulses of the motion, not from those of the shock.

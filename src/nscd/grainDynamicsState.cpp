@@ -94,11 +94,11 @@ const Grains& GrainDynamics::grains() const { return self_->grains; }
 
 void GrainDynamics::setGrains(Grains grains)
 {
-    double lastDeltaT;
+    checkGrains(grains, self_->materials, self_->walls);
     checkClumps(grains, self_->box);
     if (!grains.clumps.empty()) refuseBesideClumps(*self_->exchange, self_->settings, self_->materials);
+    double lastDeltaT;
     const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
-    checkGrains(grains, self_->materials, self_->walls);
     self_->grains = std::move(grains);
     self_->grains.shrinkToFit();
     self_->clearForces();

@@ -57,6 +57,24 @@ inline SolveReport together(const SolveReport& earlier, SolveReport later)
     return later;
 }
 
+/// The report of solves that all count, as the two of a step with restitution or those of several steps: the work of both, the worst of
+/// what they reached.
+inline SolveReport worstOf(const SolveReport& before, const SolveReport& next)
+{
+    SolveReport worst = together(before, next);
+    worst.converged = before.converged && next.converged;
+    worst.residualRms = std::max(before.residualRms, next.residualRms);
+    worst.residualMax = std::max(before.residualMax, next.residualMax);
+    worst.raisedCap = std::max(before.raisedCap, next.raisedCap);
+    if (before.reboundShare < next.reboundShare)
+    {
+        worst.shockWork = before.shockWork;
+        worst.shockResidualWork = before.shockResidualWork;
+        worst.reboundShare = before.reboundShare;
+    }
+    return worst;
+}
+
 /// What a user should know of a solve beyond its figures; empty: nothing.
 std::string warning(const SolveReport& report);
 
@@ -65,17 +83,7 @@ inline StepReport worstOf(const StepReport& before, const StepReport& next, int 
 {
     if (count == 1) return next;
     StepReport worst = next;
-    worst.solve = together(before.solve, next.solve);
-    if (before.solve.reboundShare < next.solve.reboundShare)
-    {
-        worst.solve.shockWork = before.solve.shockWork;
-        worst.solve.shockResidualWork = before.solve.shockResidualWork;
-        worst.solve.reboundShare = before.solve.reboundShare;
-    }
-    worst.solve.raisedCap = std::max(before.solve.raisedCap, next.solve.raisedCap);
-    worst.solve.converged = before.solve.converged && next.solve.converged;
-    worst.solve.residualRms = std::max(before.solve.residualRms, next.solve.residualRms);
-    worst.solve.residualMax = std::max(before.solve.residualMax, next.solve.residualMax);
+    worst.solve = worstOf(before.solve, next.solve);
     worst.listRebuilt = before.listRebuilt || next.listRebuilt;
     worst.overlapMax = std::max(before.overlapMax, next.overlapMax);
     worst.overlapMean = std::max(before.overlapMean, next.overlapMean);

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Functions of nscdDEMFoam whose messages are counted apart, caught by their symbols. Of a library they are caught because this one is
-// loaded first; in a program that holds the core itself (COUNT_LINKED), by the linker's --wrap. One that is renamed is no longer
-// caught, and its messages count for what calls it.
+// loaded first; in a program that holds the core itself (COUNT_LINKED), by the linker's --wrap. One of the core
+// that is renamed does not link any more; of the others, the messages then count for what calls it.
 #include "messageCount.hpp"
 
 #include "contactList.hpp"
@@ -16,7 +16,7 @@
 
 #ifdef COUNT_LINKED
 #define COUNTED(part, result, symbol, parameters, arguments)        \
-    extern "C" result __real_##symbol parameters __attribute__((weak)); \
+    extern "C" result __real_##symbol parameters;              \
     extern "C" result __wrap_##symbol parameters                    \
     {                                                               \
         const messageCount::Part counted(part);                     \
@@ -37,6 +37,7 @@ using nscd::ContactList;
 using nscd::ContactProblem;
 using nscd::DefectSums;
 using Numbers = std::vector<double>;
+using WallReaches = std::vector<nscd::WallReach>;
 
 // A member function is called as one that takes its object first.
 COUNTED("sweep", DefectSums, _ZN4nscd11sweepActiveERNS_14ContactProblemE, (ContactProblem& problem), (problem))
@@ -50,8 +51,10 @@ COUNTED
 )
 COUNTED
 (
-    "list", ContactList, _ZN4nscd16buildContactListERKNS_5SceneERKSt6vectorIdSaIdEEdRNS_8ExchangeE,
-    (const void* scene, const Numbers& reach, double diameter, void* exchange), (scene, reach, diameter, exchange)
+    "list", ContactList,
+    _ZN4nscd16buildContactListERKNS_5SceneERKNS_10WallSearchERKSt6vectorIdSaIdEES6_INS_9WallReachESaISB_EEdRNS_8ExchangeENS_11ContactListE,
+    (const void* scene, const void* wallSearch, const Numbers& reach, WallReaches wallReach, double diameter, void* exchange, ContactList old),
+    (scene, wallSearch, reach, std::move(wallReach), diameter, exchange, std::move(old))
 )
 COUNTED
 (
@@ -60,8 +63,8 @@ COUNTED
 )
 COUNTED
 (
-    "overlaps", int, _ZN4nscd15correctOverlapsERNS_11ContactListERKNS_5SceneEdd,
-    (void* list, const void* scene, double tolerance, double deadBand), (list, scene, tolerance, deadBand)
+    "overlaps", int, _ZN4nscd15correctOverlapsERNS_11ContactListERKNS_5SceneEddd,
+    (void* list, const void* scene, double deepest, double tolerance, double deadBand), (list, scene, deepest, tolerance, deadBand)
 )
 
 #ifndef COUNT_LINKED

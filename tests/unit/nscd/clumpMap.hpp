@@ -5,6 +5,7 @@
 #pragma once
 
 #include "clumpScenes.hpp"
+#include "naturalMap.hpp"
 
 #include <algorithm>
 #include <map>
@@ -122,18 +123,13 @@ private:
         const auto found = impulses_.find(key);
         const Vec3 r = found == impulses_.end() ? Vec3(Vec3::Zero()) : found->second;
         const double bias = gap > deadBand_ ? gap/deltaT_ : 0.0;
-        const double wn = n.dot(w*n), wt = 0.5*(w.trace() - wn), rn = r.dot(n);
-        const Vec3 rt = r - rn*n;
-        const double normalDefect = wn*std::abs(rn - std::max(0.0, rn - (u.dot(n) + bias)/wn));
-        Vec3 q = rt - (u - u.dot(n)*n)/wt;
-        const double limit = friction_*std::max(0.0, rn);
-        if (q.norm() > limit) q *= limit/q.norm();
-        const double defect = std::hypot(normalDefect, wt*(rt - q).norm());
-        result_.max = std::max(result_.max, defect);
+        const double wn = n.dot(w*n), wt = 0.5*(w.trace() - wn);
+        const MapDefect defect = mapDefect(n, bias, u, wn, wt, r, friction_);
+        result_.max = std::max(result_.max, defect.all);
         result_.overlap = std::max(result_.overlap, -gap);
-        if (found == impulses_.end() && !(normalDefect > 0.0)) return r;
+        if (found == impulses_.end() && !(defect.normal > 0.0)) return r;
         ++result_.loaded;
-        sum2_ += defect*defect;
+        sum2_ += defect.all*defect.all;
         return r;
     }
 

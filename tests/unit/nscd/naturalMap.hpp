@@ -23,6 +23,26 @@ struct NaturalMap
     double overlap = 0.0;    ///< deepest at the start [m]
 };
 
+/// How far one contact is from its laws [m/s].
+struct MapDefect
+{
+    double normal;
+    double all;
+};
+
+/// Natural map of Signorini's and Coulomb's laws: r against its own projection after a step of -u.
+/// Shapes: r: impulse [N s]; wn, wt: mobility along n and across it [1/kg]
+inline MapDefect mapDefect(const Vec3& n, double bias, const Vec3& u, double wn, double wt, const Vec3& r, double friction)
+{
+    const double rn = r.dot(n);
+    const Vec3 rt = r - rn*n;
+    const double normalDefect = wn*std::abs(rn - std::max(0.0, rn - (u.dot(n) + bias)/wn));
+    Vec3 q = rt - (u - u.dot(n)*n)/wt;
+    const double limit = friction*std::max(0.0, rn);
+    if (q.norm() > limit) q *= limit/q.norm();
+    return {normalDefect, std::hypot(normalDefect, wt*(rt - q).norm())};
+}
+
 /// What the judge sees: positions before the step, velocities after it, and the impulses in between.
 class Judge
 {
@@ -95,18 +115,12 @@ private:
         // What attracts beyond the dead band here is a bond, drawn back to the band (scenes have no range of cohesion).
         const double target = attracting_.count(key) > 0 ? deadBand_ : 0.0;
         const double bias = gap > deadBand_ ? (gap - target)/deltaT_ : 0.0;
-        const double rn = r.dot(n);
-        const Vec3 rt = r - rn*n;
-        const double normalDefect = wn*std::abs(rn - std::max(0.0, rn - (u.dot(n) + bias)/wn));
-        Vec3 q = rt - (u - u.dot(n)*n)/wt;
-        const double limit = friction_*std::max(0.0, rn);
-        if (q.norm() > limit) q *= limit/q.norm();
-        const double defect = std::hypot(normalDefect, wt*(rt - q).norm());
-        result_.max = std::max(result_.max, defect);
+        const MapDefect defect = mapDefect(n, bias, u, wn, wt, r, friction_);
+        result_.max = std::max(result_.max, defect.all);
         result_.overlap = std::max(result_.overlap, -gap);
-        if (found == impulses_.end() && !(normalDefect > 0.0)) return;
+        if (found == impulses_.end() && !(defect.normal > 0.0)) return;
         ++result_.loaded;
-        sum2_ += defect*defect;
+        sum2_ += defect.all*defect.all;
     }
 
     const Scene& scene_;

@@ -63,6 +63,15 @@ void writeTable(const nscd::Grains& grains, const char* name)
     std::fclose(file);
 }
 
+/// The grains of a scene once they have come to rest.
+void writeSettled(const Scene& scene, const char* table)
+{
+    auto dynamics = scene.build(nscd::ContactSettings());
+    for (int k = 0; k < 300; ++k) step(dynamics, scene.g, 1e-3);
+    for (int k = 0; k < 100; ++k) stepDamped(dynamics, scene.g, 1e-3);
+    writeTable(dynamics.grains(), table);
+}
+
 void settle(const char* table)
 {
     Scene scene = boxScene(planeFloor);
@@ -74,10 +83,7 @@ void settle(const char* table)
         const Vec3 place((n % perSide + 0.5)*width/perSide, (n/perSide % perSide + 0.5)*width/perSide, 1.05*diameter*(n/(perSide*perSide) + 0.5));
         scene.addGrain(place + 0.02*diameter*Vec3(unit(random), unit(random), 0), 0.5*diameter);
     }
-    auto dynamics = scene.build(nscd::ContactSettings());
-    for (int k = 0; k < 300; ++k) step(dynamics, scene.g, 1e-3);
-    for (int k = 0; k < 100; ++k) stepDamped(dynamics, scene.g, 1e-3);
-    writeTable(dynamics.grains(), table);
+    writeSettled(scene, table);
 }
 
 /// The ball comes down on the middle of the bed after fallTime: soft grains find their overlaps meanwhile.
@@ -169,10 +175,7 @@ void settleDrum(const char* table)
         if (std::hypot(x[0], x[2]) > drumRadius - 0.55*diameter || k > 3) continue;
         scene.addGrain(x + 0.02*diameter*Vec3(unit(random), unit(random), unit(random)), 0.5*diameter);
     }
-    auto dynamics = scene.build(nscd::ContactSettings());
-    for (int k = 0; k < 300; ++k) step(dynamics, scene.g, 1e-3);
-    for (int k = 0; k < 100; ++k) stepDamped(dynamics, scene.g, 1e-3);
-    writeTable(dynamics.grains(), table);
+    writeSettled(scene, table);
 }
 
 /// How many of the grains that began at x < 0 are at x < 0, and how many in the lower quarter of the drum's height; mass center's x.
