@@ -7,6 +7,7 @@
 #include "invalidValue.hpp"
 #include "wallContacts.hpp"
 
+#include <cstring>
 #include <limits>
 
 namespace nscd
@@ -36,49 +37,62 @@ void setSlot(ContactList& list, std::size_t slot, const Vec3& n, double gap)
 
 using Lanes = Eigen::Array<double, blockLanes, 1>;
 
-/// Distances of the centers in the lanes of a block and sums of their radii; in lanes that are no pair of grains any that are harmless.
-struct PairLanes
+/// What a pair needs of a body, within one cache line; zeros of what is no grain.
+struct alignas(32) BodySphere
 {
-    Lanes x[3];
-    Lanes radii;
-    bool isPair[blockLanes];
+    double center[3];
+    double radius;
 };
 
-PairLanes gatherPairs(const ContactList& list, const Scene& scene, std::size_t k)
+std::vector<BodySphere> gatherSpheres(const ContactList& list)
 {
-    const ContactBlock& block = list.blocks[k];
-    PairLanes pairs;
-    for (int lane = 0; lane < blockLanes; ++lane)
+    std::vector<BodySphere> spheres(list.bodies.size());
+    for (std::size_t body = 0; body < list.position.size(); ++body)
     {
-        const std::size_t slot = k*blockLanes + lane;
-        const int a = block.a[lane], b = block.b[lane];
-        pairs.isPair[lane] = list.wall[slot] < 0 && a != list.staticBody();
-        Vec3 dx = Vec3::UnitX();
-        pairs.radii[lane] = 0.0;
-        if (pairs.isPair[lane])
-        {
-            dx = list.position[a] - list.position[b];
-            for (int axis = 0; axis < 3; ++axis) dx[axis] -= list.image[slot][axis]*scene.box.length[axis];
-            pairs.radii[lane] = list.radius[a] + list.radius[b];
-        }
-        for (int axis = 0; axis < 3; ++axis) pairs.x[axis][lane] = dx[axis];
+        const Vec3& x = list.position[body];
+        spheres[body] = {{x[0], x[1], x[2]}, list.radius[body]};
     }
-    return pairs;
+    return spheres;
+}
+
+bool isAnyShifted(const std::array<signed char, 3>* image)
+{
+    std::uint64_t shifts[3];
+    static_assert(sizeof(shifts) == blockLanes*sizeof(*image));
+    std::memcpy(shifts, image, sizeof(shifts));
+    return (shifts[0] | shifts[1] | shifts[2]) != 0;
 }
 
 /// Normals and gaps of the pairs of a block, all lanes at once.
-void updatePairs(ContactList& list, const Scene& scene, std::size_t k)
+void updatePairs(ContactList& list, const Scene& scene, const std::vector<BodySphere>& spheres, std::size_t k)
 {
-    const PairLanes pairs = gatherPairs(list, scene, k);
-    const Lanes distance = (pairs.x[0]*pairs.x[0] + pairs.x[1]*pairs.x[1] + pairs.x[2]*pairs.x[2]).sqrt();
-    const Lanes inverse = 1.0/distance.max(std::numeric_limits<double>::min()), gap = distance - pairs.radii;
     ContactBlock& block = list.blocks[k];
+    Lanes x[3], radii;
     for (int lane = 0; lane < blockLanes; ++lane)
     {
-        if (!pairs.isPair[lane]) continue;
-        if (!(distance[lane] > 1e-12*pairs.radii[lane])) refuseCoincident(list, block.a[lane], block.b[lane]);
-        for (int axis = 0; axis < 3; ++axis) block.n[axis][lane] = pairs.x[axis][lane]*inverse[lane];
-        list.gap[k*blockLanes + lane] = gap[lane];
+        const BodySphere& a = spheres[block.a[lane]];
+        const BodySphere& b = spheres[block.b[lane]];
+        for (int axis = 0; axis < 3; ++axis) x[axis][lane] = a.center[axis] - b.center[axis];
+        radii[lane] = a.radius + b.radius;
+    }
+    const std::array<signed char, 3>* image = &list.image[k*blockLanes];
+    if (isAnyShifted(image))
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            if (!scene.box.isPeriodic(axis)) continue;
+            for (int lane = 0; lane < blockLanes; ++lane) x[axis][lane] -= image[lane][axis]*scene.box.length[axis];
+        }
+    }
+    const Lanes distance = (x[0]*x[0] + x[1]*x[1] + x[2]*x[2]).sqrt();
+    const Lanes inverse = 1.0/distance.max(std::numeric_limits<double>::min()), gap = distance - radii;
+    for (int lane = 0; lane < blockLanes; ++lane)
+    {
+        const std::size_t slot = k*blockLanes + lane;
+        if (list.wall[slot] >= 0 || block.a[lane] == list.staticBody()) continue;
+        if (!(distance[lane] > 1e-12*radii[lane])) refuseCoincident(list, block.a[lane], block.b[lane]);
+        for (int axis = 0; axis < 3; ++axis) block.n[axis][lane] = x[axis][lane]*inverse[lane];
+        list.gap[slot] = gap[lane];
     }
 }
 
@@ -109,7 +123,8 @@ void updateWall(ContactList& list, const Scene& scene, std::size_t slot, int a)
 
 void updateGeometry(ContactList& list, const Scene& scene)
 {
-    for (std::size_t k = 0; k < list.blocks.size(); ++k) updatePairs(list, scene, k);
+    const std::vector<BodySphere> spheres = gatherSpheres(list);
+    for (std::size_t k = 0; k < list.blocks.size(); ++k) updatePairs(list, scene, spheres, k);
     for (std::size_t slot : list.slotsOfWalls) updateWall(list, scene, slot, list.blocks[slot/blockLanes].a[slot % blockLanes]);
     suppressGhosts(list, scene);
 }

@@ -80,6 +80,8 @@ struct StopRule
 
     bool isMet(const DefectSums& sums) const { return isWithin(sums, rmsLimit, maxLimit); }
     bool isPolished(const DefectSums& sums) const { return isWithin(sums, polishedRms, polishedMax); }
+    /// Polished but for some contacts.
+    bool hasLoneDefects(const DefectSums& sums) const { return isWithin(sums, polishedRms, maxLimit) && !isPolished(sums); }
 
 private:
     static bool isWithin(const DefectSums& sums, double rms, double max)

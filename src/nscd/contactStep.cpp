@@ -10,6 +10,7 @@
 #include "invalidValue.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nscd
@@ -17,6 +18,24 @@ namespace nscd
 
 namespace
 {
+
+using Lanes = Eigen::Array<double, blockLanes, 1>;
+using LanesOfVec3 = std::array<Lanes, 3>;
+
+Eigen::Map<const Lanes> lanes(const double* first) { return Eigen::Map<const Lanes>(first); }
+
+Vec3 inLane(const LanesOfVec3& x, int lane) { return Vec3(x[0][lane], x[1][lane], x[2][lane]); }
+
+/// Bodies are sorted in space, grains as their user numbers them: what the bodies ahead will need of theirs is asked for early.
+constexpr int bodiesAhead = 12;
+
+template<class... Arrays>
+void fetchAhead(const ContactList& list, int body, const Arrays&... ofGrains)
+{
+    if (body + bodiesAhead >= list.owned()) return;
+    const int i = list.grainOf[body + bodiesAhead];
+    (__builtin_prefetch(&ofGrains[i]), ...);
+}
 
 /// A bias that no velocity reaches: keeps far candidates out without an infinity.
 constexpr double unreachable = 1e30;
@@ -37,10 +56,13 @@ void setBody(Body& body, const Vec3& v, double invMass, const Vec3& s, double in
 void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const IslandSleep& sleep)
 {
     const double kappa = grains.shape.inertiaFactor();
+    const std::vector<Vec3>& forceOf = forces.force.empty() ? grains.velocity : forces.force;
     for (int body = 0; body < list.owned(); ++body)
     {
+        fetchAhead(list, body, grains.velocity, grains.omega, grains.mass, forceOf);
         const int i = list.grainOf[body];
-        const Vec3 spin = grains.radius[i]*grains.omega[i];
+        const double radius = list.radius[body];
+        const Vec3 spin = radius*grains.omega[i];
         if (grains.isFixed[i] || sleep.isAsleep(i))
         {
             setBody(list.bodies[body], grains.velocity[i], 0.0, spin, 0.0);
@@ -51,9 +73,9 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
         Vec3 momentum = mass*grains.velocity[i];
         if (!forces.force.empty()) momentum += deltaT*forces.force[i];
         const double spinDrag = forces.implicitSpinDrag.empty() ? 0.0 : forces.implicitSpinDrag[i];
-        const double effectiveInertia = kappa*mass + spinDrag*deltaT/(grains.radius[i]*grains.radius[i]);
+        const double effectiveInertia = kappa*mass + spinDrag*deltaT/(radius*radius);
         Vec3 s = kappa*mass/effectiveInertia*spin;
-        if (!forces.torque.empty()) s += deltaT*forces.torque[i]/(effectiveInertia*grains.radius[i]);
+        if (!forces.torque.empty()) s += deltaT*forces.torque[i]/(effectiveInertia*radius);
         if (!momentum.allFinite() || !s.allFinite() || !(effectiveMass > 0.0))
         {
             throw invalidValue("force on grain " + std::to_string(grains.id[i]), "not finite", "finite forces and drag >= 0");
@@ -102,25 +124,28 @@ ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const
     std::vector<Vec3> force(list.bodies.size(), Vec3::Zero()), torque = force;
     const std::size_t patches = scene.walls.patches.size();
     std::vector<Vec3> wall(2*patches, Vec3::Zero());  // forces, then torques: summed over ranks together
-    const auto addLane = [&](const ContactBlock& block, int lane, std::size_t slot)
-    {
-        const Vec3 onA = Vec3(block.r[0][lane], block.r[1][lane], block.r[2][lane])/deltaT;
-        if (onA == Vec3::Zero()) return;
-        const Vec3 moment = Vec3(block.n[0][lane], block.n[1][lane], block.n[2][lane]).cross(onA);
-        const int a = block.a[lane], b = block.b[lane], region = list.wall[slot];
-        force[a] += onA;
-        torque[a] -= list.radius[a]*moment;
-        if (region >= 0)
-        {
-            addWallForce(list, scene, slot, onA, wall);
-            return;
-        }
-        force[b] -= onA;
-        torque[b] -= list.radius[b]*moment;
-    };
     for (std::size_t k = 0; k < loaded.count; ++k)
     {
-        for (int lane = 0; lane < blockLanes; ++lane) addLane(list.blocks[loaded[k]], lane, loaded[k]*blockLanes + lane);
+        const ContactBlock& block = list.blocks[loaded[k]];
+        const LanesOfVec3 onA = {lanes(block.r[0])/deltaT, lanes(block.r[1])/deltaT, lanes(block.r[2])/deltaT};
+        const LanesOfVec3 n = {lanes(block.n[0]), lanes(block.n[1]), lanes(block.n[2])};
+        const LanesOfVec3 moment = {n[1]*onA[2] - n[2]*onA[1], n[2]*onA[0] - n[0]*onA[2], n[0]*onA[1] - n[1]*onA[0]};
+        for (int lane = 0; lane < blockLanes; ++lane)
+        {
+            const Vec3 onGrain = inLane(onA, lane), turning = inLane(moment, lane);
+            if (onGrain == Vec3::Zero()) continue;
+            const std::size_t slot = loaded[k]*blockLanes + lane;
+            const int bodyA = block.a[lane], bodyB = block.b[lane];
+            force[bodyA] += onGrain;
+            torque[bodyA] -= list.radius[bodyA]*turning;
+            if (list.wall[slot] >= 0)
+            {
+                addWallForce(list, scene, slot, onGrain, wall);
+                continue;
+            }
+            force[bodyB] -= onGrain;
+            torque[bodyB] -= list.radius[bodyB]*turning;
+        }
     }
     if (!list.cohesion.empty()) addCohesionForces(list, scene, deltaT, force, wall);
     if (!list.rolling.empty()) addRollingTorques(list, scene, deltaT, torque, wall);
@@ -153,9 +178,10 @@ void copyVelocities(const ContactList& list, Grains& grains)
 {
     for (int body = 0; body < list.owned(); ++body)
     {
+        fetchAhead(list, body, grains.velocity, grains.omega);
         const int i = list.grainOf[body];
         grains.velocity[i] = Vec3(list.bodies[body].v);
-        grains.omega[i] = Vec3(list.bodies[body].s)/grains.radius[i];
+        grains.omega[i] = Vec3(list.bodies[body].s)/list.radius[body];
     }
     if (!list.clumps.empty()) copyClumpVelocities(list, grains.clumps);
 }
@@ -165,13 +191,14 @@ double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, dou
     double largest2 = 0.0;
     for (int body = 0; body < list.owned(); ++body)
     {
+        fetchAhead(list, body, grains.position, grains.orientation);
         const int i = list.grainOf[body];
         const Vec3 dx = deltaT*Vec3(list.bodies[body].v);
         largest2 = std::max(largest2, dx.squaredNorm());
         list.position[body] += dx;
         grains.position[i] = box.wrap(list.position[body]);
         if (!isRotating) continue;
-        const Vec3 turn = deltaT*Vec3(list.bodies[body].s)/grains.radius[i];
+        const Vec3 turn = deltaT*Vec3(list.bodies[body].s)/list.radius[body];
         if (turn != Vec3::Zero()) grains.orientation[i] = (rotationBy(turn)*grains.orientation[i]).normalized();
     }
     if (!list.clumps.empty()) moveClumps(list, grains, box, deltaT);
@@ -181,8 +208,6 @@ double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, dou
 
 OverlapStatistics measureOverlap(const ContactList& list)
 {
-    using Lanes = Eigen::Array<double, blockLanes, 1>;
-    const auto lanes = [](const double* first) { return Eigen::Map<const Lanes>(first); };
     Lanes deepest = Lanes::Zero(), deepestLoaded = Lanes::Zero(), sum = Lanes::Zero(), count = Lanes::Zero();
     for (std::size_t k = 0; k < list.blocks.size(); ++k)
     {

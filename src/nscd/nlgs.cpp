@@ -3,6 +3,7 @@
 //
 // Nonlinear Gauss-Seidel (Algorithm 2 of the method): sweeps over all contacts, warm started, with help when slow.
 #include "directHelp.hpp"
+#include "loneDefects.hpp"
 #include "slowSolve.hpp"
 #include "sweepLoop.hpp"
 
@@ -18,6 +19,7 @@ class NlgsHelp
 public:
     NlgsHelp(ContactProblem& problem, const ContactSettings& settings)
     :
+        problem_(problem),
         isAccelerated_(settings.accelerate),
         slowSolve_(problem),
         direct_(problem, settings)
@@ -34,10 +36,16 @@ public:
         return work;
     }
 
+    bool polish(const DefectSums& sums, const StopRule& rule)
+    {
+        return rule.isPolished(sums) || (rule.hasLoneDefects(sums) && polishLoneDefects(problem_, rule));
+    }
+
     void forget() { slowSolve_.forget(); }
     void complete(SolveReport& report, const StopRule& rule) { direct_.complete(report, rule); }
 
 private:
+    ContactProblem& problem_;
     bool isAccelerated_;
     SlowSolve slowSolve_;
     DirectHelp direct_;

@@ -31,6 +31,7 @@ public:
         return 0;
     }
 
+    bool polish(const DefectSums& sums, const StopRule& rule) const { return rule.isPolished(sums); }
     void complete(SolveReport&, const StopRule&) {}
 
     void forget()

@@ -46,6 +46,7 @@ public:
     }
 
     void forget() {}  // no block sleeps
+    bool polish(const DefectSums& sums, const StopRule& rule) const { return rule.isPolished(sums); }
     void complete(SolveReport&, const StopRule&) {}
 
 private:

@@ -17,7 +17,7 @@ inline bool isWakingDue(int sweeps) { return sweeps % 64 == 0 || (sweeps & (swee
 
 /// Repeats `pass`, which returns the defects it met, until the rule is met and the solution polished, or maxSweeps.
 /// `help` acts between passes: int afterSweep(sweeps, sums, rule) returns the work it did, in sweeps; forget() is called when
-/// blocks woke up; complete(report, rule) with each solution that may be the last one.
+/// blocks woke up; polish(sums, rule) tells whether a solution that meets the rule is polished, or now is; complete(report, rule) with each solution that may be the last one.
 /// Errors: std::runtime_error for a velocity that is not finite
 template<class Help>
 SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settings, DefectSums (*pass)(ContactProblem&), Help& help)
@@ -30,15 +30,15 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
         const DefectSums sums = pass(problem);
         if (!std::isfinite(sums.sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
         if (++report.sweeps == 1) rule = makeStopRule(problem, settings, sums);
-        const bool isFineEnough = rule.isPolished(sums) || polishing == settings.polishSweeps;
-        if (rule.isMet(sums) && !isFineEnough) ++polishing;
-        else if (rule.isMet(sums))
+        const bool isMet = rule.isMet(sums);
+        if (isMet && polishing < settings.polishSweeps && !help.polish(sums, rule)) ++polishing;
+        else if (isMet)
         {
             help.complete(report, rule);
             reportResidual(report, rule, residual(problem));
             if (report.converged) return report;
         }
-        if ((rule.isMet(sums) || isWakingDue(report.sweeps)) && wakeBlocks(problem)) help.forget();
+        if ((isMet || isWakingDue(report.sweeps)) && wakeBlocks(problem)) help.forget();
         report.sweeps += help.afterSweep(report.sweeps, sums, rule);
     }
     help.complete(report, rule);

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The neighborhood of large defects, and sweeps over it.
+#include "loneDefects.hpp"
+
+#include "localContact.hpp"
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Farther away the defects that a few sweeps carry there are below the limit.
+constexpr int contactsAway = 3;
+constexpr int mostSweeps = 100;
+
+class Neighborhood
+{
+public:
+    explicit Neighborhood(const ContactProblem& problem)
+    :
+        problem_(problem),
+        isNear_(problem.bodies.size(), 0)
+    {}
+
+    /// Bodies of contacts with a larger defect are near.
+    void addDefective(double limit)
+    {
+        const SweepFunction evaluate = problem_.isFrictional ? problem_.kernels.evaluate : problem_.kernels.evaluateFrictionless;
+        const BlockRange active = problem_.active();
+        for (std::size_t k = 0; k < active.count; ++k)
+        {
+            const std::uint32_t index = active[k];
+            if (problem_.clumps && index >= problem_.clumps->firstBlock) break;
+            if (!(evaluate(problem_.bodies.data(), &blockAt(index), {nullptr, 1}).maxSquare > limit*limit)) continue;
+            for (int lane = 0; lane < blockLanes; ++lane)
+            {
+                if (isUsed(blockAt(index), lane) && localChange(problem_, index*blockLanes + lane).defect > limit) addBodies(index, lane);
+            }
+        }
+    }
+
+    /// Active blocks with a contact of a near body, in their order; all bodies of those contacts then are near.
+    std::vector<std::uint32_t> grow()
+    {
+        const std::vector<char> before = isNear_;
+        std::vector<std::uint32_t> found;
+        const BlockRange active = problem_.active();
+        for (std::size_t k = 0; k < active.count; ++k)
+        {
+            const ContactBlock& block = blockAt(active[k]);
+            bool isFound = false;
+            for (int lane = 0; lane < blockLanes; ++lane)
+            {
+                if (!before[block.a[lane]] && !before[block.b[lane]]) continue;
+                isFound = true;
+                addBodies(active[k], lane);
+            }
+            if (isFound) found.push_back(active[k]);
+        }
+        return found;
+    }
+
+private:
+    ContactBlock& blockAt(std::size_t k) const { return problem_.blocks[k]; }
+
+    void addBodies(std::size_t block, int lane)
+    {
+        for (const std::int32_t body : {blockAt(block).a[lane], blockAt(block).b[lane]})
+        {
+            if (problem_.bodies[body].invMass > 0.0) isNear_[body] = 1;
+        }
+    }
+
+    const ContactProblem& problem_;
+    std::vector<char> isNear_;
+};
+
+} // namespace
+
+bool polishLoneDefects(ContactProblem& problem, const StopRule& rule)
+{
+    const double limit = rule.polishedMax;
+    Neighborhood neighborhood(problem);
+    neighborhood.addDefective(0.5*limit);
+    std::vector<std::uint32_t> chosen;
+    for (int k = 0; k < contactsAway; ++k) chosen = neighborhood.grow();
+
+    problem.awake.swap(chosen);
+    bool isPolished = false;
+    for (int sweep = 0; sweep < mostSweeps && !isPolished; ++sweep) isPolished = sweepActive(problem).maxSquare <= 0.5*limit*limit;
+    problem.awake.swap(chosen);
+    return isPolished;
+}
+
+} // namespace nscd
