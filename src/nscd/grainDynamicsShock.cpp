@@ -39,7 +39,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     report.residualRms = std::max(report.residualRms, shock.residualRms);
     report.residualMax = std::max(report.residualMax, shock.residualMax);
     limitWork(freeBodies, inelastic, shock, report);
-    forces = contactForces();
+    giveToGrains(forcesOnBodies(), list.grainOf, forces);
     // The next step starts from the impulses of the motion, not from those of the shock.
     for (std::size_t k = 0; k < list.blocks.size(); ++k)
     {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Falling asleep and waking: which list a step works on.
+#include "grainDynamicsParts.hpp"
+
+#include <algorithm>
+
+namespace nscd
+{
+
+void GrainDynamics::Implementation::holdWholeList()
+{
+    overlapAsleep = measureOverlap(list).max;
+    awakePart.hold(std::move(list), scene(), deltaT);
+}
+
+void GrainDynamics::Implementation::cutAwakePart()
+{
+    sleep.wake(awakePart.sleepersBesideDriven(grains, sleep));
+    list = sleep.any() ? awakePart.cut(scene(), sleep, diameter, deltaT) : awakePart.release();
+}
+
+void GrainDynamics::Implementation::wake(const std::vector<int>& sleepers)
+{
+    if (sleepers.empty()) return;
+    sleep.wake(sleepers);
+    cutAwakePart();
+}
+
+void GrainDynamics::Implementation::wakeAll()
+{
+    if (sleep.any()) list = awakePart.release();
+    sleep = GrainSleep();
+}
+
+void GrainDynamics::Implementation::letSleep(const ExternalForces& external, StepReport& report)
+{
+    if (sleep.any())
+    {
+        awakePart.giveBack(list, forcesOnBodies());
+        // The overlap correction moves no sleeper.
+        wake(sleep.pressed(grains, list, settings.overlapTolerance*diameter));
+    }
+    const bool isListWhole = !sleep.any();
+    const RestingStep step{list, external, forces, deltaT, report.solve.speedScale, deadBand()};
+    if (sleep.fallAsleep(step, grains))
+    {
+        if (isListWhole) holdWholeList();
+        else overlapAsleep = std::max(overlapAsleep, measureOverlap(list).max);
+        cutAwakePart();
+    }
+    report.asleep = sleep.count();
+}
+
+} // namespace nscd
