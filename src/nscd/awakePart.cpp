@@ -174,6 +174,28 @@ ContactList AwakePart::cut(const Scene& scene, const GrainSleep& sleep, double d
     return part;
 }
 
+std::vector<AwakePart::Impulse> AwakePart::impulses(const ContactList& part) const
+{
+    std::vector<Impulse> found;
+    forEachSlot(part, [&](std::size_t slot, std::uint32_t inWhole)
+    {
+        found.push_back({inWhole, impulse(part, slot), part.rolling.empty() ? RollingSlot() : part.rolling[slot]});
+    });
+    return found;
+}
+
+void AwakePart::setImpulses(const std::vector<Impulse>& impulses, bool isPart, ContactList& list) const
+{
+    std::vector<std::uint32_t> place(isPart ? whole_.slots() : 0);
+    if (isPart) forEachSlot(list, [&](std::size_t slot, std::uint32_t inWhole) { place[inWhole] = static_cast<std::uint32_t>(slot); });
+    for (const Impulse& entry : impulses)
+    {
+        const std::size_t slot = isPart ? place[entry.slot] : entry.slot;
+        setImpulse(list, slot, entry.r);
+        if (!list.rolling.empty()) list.rolling[slot] = entry.rolling;
+    }
+}
+
 void AwakePart::giveBack(const ContactList& part, const ContactForces& onBodies)
 {
     forEachSlot(part, [&](std::size_t slot, std::size_t inWhole) { copySlot(part, slot, whole_, inWhole); });

@@ -25,6 +25,17 @@ public:
     ContactList cut(const Scene& scene, const GrainSleep& sleep, double diameter, double deltaT);
     /// Whether nobody is awake.
     bool isEmpty() const { return isEmpty_; }
+    /// The impulse of a slot of the whole.
+    struct Impulse
+    {
+        std::uint32_t slot;
+        Vec3 r;
+        RollingSlot rolling;
+    };
+    std::vector<Impulse> impulses(const ContactList& part) const;
+    /// Gives these to the part that is in use, or to the whole where it is no longer held.
+    void setImpulses(const std::vector<Impulse>& impulses, bool isPart, ContactList& list) const;
+
     /// Takes over what a step has made of a part.
     void giveBack(const ContactList& part, const ContactForces& onBodies);
 

@@ -148,7 +148,7 @@ SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& ex
     {
         const std::vector<int> disturbed = sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT);
         if (disturbed.empty()) break;
-        wake(awakePart.sleepersAround(disturbed, rings, sleep, deadBand()));
+        wakeWithinSolve(awakePart.sleepersAround(disturbed, rings, sleep, deadBand()));
         report = together(report, solveOnce(external));
     }
     return report;

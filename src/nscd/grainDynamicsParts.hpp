@@ -93,7 +93,9 @@ struct GrainDynamics::Implementation
     void holdWholeList();
     void cutAwakePart();
     void wake(const std::vector<int>& sleepers);
+    void wakeWithinSolve(const std::vector<int>& sleepers);
     void wakeAll();
+    void giveUpSleep();
     void letSleep(const ExternalForces& external, StepReport& report);
     void beginAwakeStep(bool haveWallsJumped);
     void checkReady(const ExternalForces& external) const;

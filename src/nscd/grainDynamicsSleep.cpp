@@ -18,7 +18,14 @@ void GrainDynamics::Implementation::holdWholeList()
 void GrainDynamics::Implementation::cutAwakePart()
 {
     sleep.wake(awakePart.sleepersBesideDriven(grains, sleep));
-    list = sleep.any() ? awakePart.cut(scene(), sleep, diameter, deltaT) : awakePart.release();
+    if (sleep.isWorthwhile()) list = awakePart.cut(scene(), sleep, diameter, deltaT);
+    else giveUpSleep();
+}
+
+void GrainDynamics::Implementation::giveUpSleep()
+{
+    list = awakePart.release();
+    sleep = GrainSleep();
 }
 
 void GrainDynamics::Implementation::wake(const std::vector<int>& sleepers)
@@ -28,9 +35,17 @@ void GrainDynamics::Implementation::wake(const std::vector<int>& sleepers)
     cutAwakePart();
 }
 
+/// The next solve starts from what the last one found.
+void GrainDynamics::Implementation::wakeWithinSolve(const std::vector<int>& sleepers)
+{
+    const std::vector<AwakePart::Impulse> found = awakePart.impulses(list);
+    wake(sleepers);
+    awakePart.setImpulses(found, sleep.any(), list);
+}
+
 void GrainDynamics::Implementation::wakeAll()
 {
-    if (sleep.any()) list = awakePart.release();
+    if (sleep.any()) giveUpSleep();
     sleep = GrainSleep();
 }
 

@@ -36,7 +36,7 @@ std::vector<int> GrainSleep::disturbedBy(const Grains& grains, const ExternalFor
     {
         if (!isAsleep_[i] || grains.isFixed[i]) continue;
         const Vec3 force = entry(external.force, i) - force_[i], torque = entry(external.torque, i) - torque_[i];
-        if (!isSmall(grains, i, force, torque, disturbance*speedScale_, deltaT)) disturbed.push_back(static_cast<int>(i));
+        if (!isSmall(grains, i, force, torque, restLimit*speedScale_, deltaT)) disturbed.push_back(static_cast<int>(i));
     }
     return disturbed;
 }
@@ -49,7 +49,7 @@ std::vector<int> GrainSleep::disturbedBy(const Grains& grains, const ContactList
         const int i = list.grainOf[body];
         if (!isAsleep_[i] || grains.isFixed[i]) continue;
         const Vec3 force = onBodies.force[body] - contactForce_[i], torque = onBodies.torque[body] - contactTorque_[i];
-        if (!isSmall(grains, i, force, torque, disturbance*speedScale_, deltaT)) disturbed.push_back(i);
+        if (!isSmall(grains, i, force, torque, restLimit*speedScale_, deltaT)) disturbed.push_back(i);
     }
     return disturbed;
 }
@@ -96,7 +96,7 @@ void GrainSleep::countQuietSteps(const ContactList& list, const Grains& grains, 
 /// A grain in a flow may be slow for a while; what presses on it is not steady then.
 bool GrainSleep::isSteady(const RestingStep& step, int grain, double mass) const
 {
-    const double limit = disturbance*step.speedScale*mass/step.deltaT;
+    const double limit = restLimit*step.speedScale*mass/step.deltaT;
     return (step.contact.force[grain] - contactForce_[grain]).squaredNorm() <= limit*limit;
 }
 
@@ -138,27 +138,31 @@ bool GrainSleep::fallAsleep(const RestingStep& step, Grains& grains)
 {
     const std::size_t n = grains.size();
     quietSteps_.resize(n, 0);
-    countQuietSteps(step.list, grains, restSpeed*step.speedScale);
+    countQuietSteps(step.list, grains, restLimit*step.speedScale);
     if (++steps_ % stepsToSleep != 0) return false;
     for (std::vector<Vec3>* values : {&contactForce_, &contactTorque_, &force_, &torque_}) values->resize(n, Vec3::Zero());
     isAsleep_.resize(n, 0);
 
-    const std::size_t before = asleep_;
     const std::vector<std::uint8_t> isRestless = restlessBodies(step, grains);
+    std::vector<int> fallers;
     for (int body = 0; body < step.list.owned(); ++body)
     {
         const int i = step.list.grainOf[body];
         if (isAsleep_[i]) continue;
         note(step, i);
-        if (isRestless[body]) continue;
+        if (grains.isFixed[i]) isAsleep_[i] = !isRestless[body];
+        else if (!isRestless[body]) fallers.push_back(i);
+    }
+    if (fallers.empty() || static_cast<double>(asleep_ + fallers.size()) < worthwhile*static_cast<double>(n)) return false;
+    speedScale_ = step.speedScale;
+    asleep_ += fallers.size();
+    for (int i : fallers)
+    {
         isAsleep_[i] = 1;
-        if (grains.isFixed[i]) continue;
-        ++asleep_;
         grains.velocity[i].setZero();
         grains.omega[i].setZero();
     }
-    speedScale_ = step.speedScale;
-    return asleep_ > before;
+    return true;
 }
 
 } // namespace nscd

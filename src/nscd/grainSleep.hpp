@@ -25,22 +25,25 @@ struct RestingStep
     double deadBand;           ///< [m]
 };
 
-/// Every `stepsToSleep` steps grains fall asleep that were slower than `restSpeed` vs all the time, on which the contact force is the
-/// one of the last look to `disturbance` m vs/dt, and which touch no grain that fails in that and nothing that is driven. Velocities become zero,
-/// impulses stay. A sleeping grain has no mobility; contacts of awake grains with it are solved as with a held one, and it wakes in
-/// the step in which what these contacts, or the caller's forces, do to it differs by more than `disturbance` m vs/dt from when it fell asleep.
+/// Every `stepsToSleep` steps those grains fall asleep that were slower than `restLimit` vs all the time, on which the contact force is
+/// the one of the last look to `restLimit` m vs/dt, and which touch no grain that fails in that and nothing that moves by itself. Velocities
+/// become zero, impulses stay. A sleeping grain has no mobility; contacts of awake grains with it are solved as with a held one, and it
+/// wakes in the step in which what these contacts, or the caller's forces, do to it differs by more than `restLimit` m vs/dt from when it fell
+/// asleep.
 class GrainSleep
 {
 public:
-    /// In units of a step's speed scale vs: what grains of a polished bed at rest keep at most of the noise of the solves, a few times
-    /// over. A grain whose acceleration is less than a thirtieth of it, 3e-5 g, is taken for one at rest.
-    static constexpr double restSpeed = 1e-3;
-    /// The same for forces and, over the radius, torques: by so much what acts on a sleeping grain may be out of balance.
-    static constexpr double disturbance = 1e-4;
+    /// Of speeds, in units of a step's speed scale vs, and of forces: what grains of a polished bed at rest keep at most of the noise of
+    /// the solves, a few times over. Both are one number since a grain that is stopped loses that much momentum to those around it: with a
+    /// tenth for forces these wake again, and others after them, for ever.
+    static constexpr double restLimit = 1e-3;
     static constexpr int stepsToSleep = 32;
+    /// Share of the grains that must be at rest for any to sleep: fewer save less than the next one that wakes costs, as in a flow.
+    static constexpr double worthwhile = 0.1;
 
     bool any() const { return asleep_ > 0; }
     std::size_t count() const { return asleep_; }
+    bool isWorthwhile() const { return any() && static_cast<double>(asleep_) >= worthwhile*static_cast<double>(isAsleep_.size()); }
     bool isAsleep(int grain) const { return asleep_ > 0 && isAsleep_[grain] != 0; }
 
     /// Sleeping grains on which this step's external forces are others than when they fell asleep.
