@@ -120,18 +120,21 @@ double GrainDynamics::Implementation::measureMotion(double speedScale) const
     return sums[1] > 0.0 ? sums[0]/sums[1] : 1.0;
 }
 
+void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
+{
+    const Stopwatch watch(times.buildContacts);
+    setFreeVelocities(list, grains, external, deltaT, sleep);
+    if (!list.clumps.empty()) setFreeClumps(list, grains, external, deltaT);
+    movingWalls.setVelocities(list, grains.shape.emptyAxis);
+    if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
+    chooseKernelsOfStep();
+    prepareSlots(list, kernelsOfStep, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
+    impulseDeltaT = deltaT;
+}
+
 SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external)
 {
-    {
-        const Stopwatch watch(times.buildContacts);
-        setFreeVelocities(list, grains, external, deltaT, sleep);
-        if (!list.clumps.empty()) setFreeClumps(list, grains, external, deltaT);
-        movingWalls.setVelocities(list, grains.shape.emptyAxis);
-        if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
-        chooseKernelsOfStep();
-        prepareSlots(list, kernelsOfStep, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
-        impulseDeltaT = deltaT;
-    }
+    prepareSolve(external);
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
@@ -143,12 +146,12 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
 SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
 {
     SolveReport report = solveOnce(external);
-    // What a blow reaches grows by more and more rings, so that few solves find all of it.
-    for (int rings = 0; sleep.any(); rings = 2*rings + 1)
+    // What a blow reaches grows by more and more rings after a while, so that not too many solves find all of it.
+    for (int round = 0; sleep.any(); ++round)
     {
         const std::vector<int> disturbed = sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT);
         if (disturbed.empty()) break;
-        wakeWithinSolve(awakePart.sleepersAround(disturbed, rings, sleep, deadBand()));
+        wakeWithinSolve(awakePart.sleepersAround(disturbed, std::max(0, round - 5), sleep, deadBand()));
         report = together(report, solveOnce(external));
     }
     return report;
@@ -215,7 +218,7 @@ void GrainDynamics::Implementation::beginAwakeStep(bool haveWallsJumped)
     if (isStepBegun) return;
     isStepBegun = true;
     markBonds(list);
-    beforeStep = list.cohesion.empty() ? ImpulseRecord() : collectImpulses(list);
+    if (!sleep.any()) beforeStep = list.cohesion.empty() ? ImpulseRecord() : collectImpulses(list);
 }
 
 void GrainDynamics::beginStep(double deltaT)

@@ -88,6 +88,7 @@ struct GrainDynamics::Implementation
     void chooseKernelsOfStep();
     SolveReport solveVelocities(const ExternalForces& external);
     double measureMotion(double speedScale) const;
+    void prepareSolve(const ExternalForces& external);
     SolveReport solveOnce(const ExternalForces& external);
     SolveReport solveAndWake(const ExternalForces& external);
     void holdWholeList();
@@ -101,6 +102,7 @@ struct GrainDynamics::Implementation
     void checkReady(const ExternalForces& external) const;
     StepReport restingReport() const;
     void rebound(const ExternalForces& external, SolveReport& report);
+    void restoreImpulses(const Shock& inelastic);
     void limitWork(const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report);
     void correctPositions(StepReport& report);
 };

@@ -26,6 +26,7 @@ void GrainDynamics::Implementation::giveUpSleep()
 {
     list = awakePart.release();
     sleep = GrainSleep();
+    if (!list.cohesion.empty()) beforeStep = collectImpulses(list);
 }
 
 void GrainDynamics::Implementation::wake(const std::vector<int>& sleepers)

@@ -83,21 +83,18 @@ void GrainSleep::wake(const std::vector<int>& sleepers)
     asleep_ -= sleepers.size();
 }
 
-void GrainSleep::countQuietSteps(const ContactList& list, const Grains& grains, double limit)
+/// A grain in a flow may be slow for a while; what presses on it is not steady then.
+void GrainSleep::countQuietSteps(const RestingStep& step, const Grains& grains)
 {
-    for (int i : list.grainOf)
+    const double speed = restLimit*step.speedScale;
+    for (int i : step.list.grainOf)
     {
         const double spin2 = grains.radius[i]*grains.radius[i]*grains.omega[i].squaredNorm();
-        const bool isQuiet = grains.velocity[i].squaredNorm() <= limit*limit && spin2 <= limit*limit;
+        const bool isSlow = grains.velocity[i].squaredNorm() <= speed*speed && spin2 <= speed*speed;
+        const double force = speed*grains.mass[i]/step.deltaT;
+        const bool isQuiet = isSlow && (step.contact.force[i] - contactForce_[i]).squaredNorm() <= force*force;
         quietSteps_[i] = isQuiet ? quietSteps_[i] + 1 : 0;
     }
-}
-
-/// A grain in a flow may be slow for a while; what presses on it is not steady then.
-bool GrainSleep::isSteady(const RestingStep& step, int grain, double mass) const
-{
-    const double limit = restLimit*step.speedScale*mass/step.deltaT;
-    return (step.contact.force[grain] - contactForce_[grain]).squaredNorm() <= limit*limit;
 }
 
 /// Bodies of the list that are awake and have to stay so.
@@ -109,7 +106,7 @@ std::vector<std::uint8_t> GrainSleep::restlessBodies(const RestingStep& step, co
     {
         const int i = list.grainOf[body];
         if (grains.isFixed[i]) fails[body] = isDriven(grains, i);
-        else fails[body] = !isAsleep_[i] && (quietSteps_[i] < stepsToSleep || !isSteady(step, i, grains.mass[i]));
+        else fails[body] = !isAsleep_[i] && quietSteps_[i] < stepsToSleep;
     }
     for (std::size_t body = list.owned(); body < list.bodies.size(); ++body) fails[body] = isMoving(list.bodies[body]);
 
@@ -138,9 +135,10 @@ bool GrainSleep::fallAsleep(const RestingStep& step, Grains& grains)
 {
     const std::size_t n = grains.size();
     quietSteps_.resize(n, 0);
-    countQuietSteps(step.list, grains, restLimit*step.speedScale);
+    contactForce_.resize(n, Vec3::Zero());
+    countQuietSteps(step, grains);
     if (++steps_ % stepsToSleep != 0) return false;
-    for (std::vector<Vec3>* values : {&contactForce_, &contactTorque_, &force_, &torque_}) values->resize(n, Vec3::Zero());
+    for (std::vector<Vec3>* values : {&contactTorque_, &force_, &torque_}) values->resize(n);
     isAsleep_.resize(n, 0);
 
     const std::vector<std::uint8_t> isRestless = restlessBodies(step, grains);

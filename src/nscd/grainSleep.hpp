@@ -25,8 +25,8 @@ struct RestingStep
     double deadBand;           ///< [m]
 };
 
-/// Every `stepsToSleep` steps those grains fall asleep that were slower than `restLimit` vs all the time, on which the contact force is
-/// the one of the last look to `restLimit` m vs/dt, and which touch no grain that fails in that and nothing that moves by itself. Velocities
+/// A look every `stepsToSleep` steps lets those grains fall asleep that since the last one were slower than `restLimit` vs, on which the
+/// contact force stayed what it was then to `restLimit` m vs/dt, and which touch no grain that fails in that and nothing that moves by itself. Velocities
 /// become zero, impulses stay. A sleeping grain has no mobility; contacts of awake grains with it are solved as with a held one, and it
 /// wakes in the step in which what these contacts, or the caller's forces, do to it differs by more than `restLimit` m vs/dt from when it fell
 /// asleep.
@@ -58,9 +58,8 @@ public:
     bool fallAsleep(const RestingStep& step, Grains& grains);
 
 private:
-    void countQuietSteps(const ContactList& list, const Grains& grains, double limit);
+    void countQuietSteps(const RestingStep& step, const Grains& grains);
     std::vector<std::uint8_t> restlessBodies(const RestingStep& step, const Grains& grains) const;
-    bool isSteady(const RestingStep& step, int grain, double mass) const;
     void note(const RestingStep& step, int grain);
 
     std::vector<std::uint8_t> isAsleep_;                 // per grain; also held ones that do not move, which are not counted
