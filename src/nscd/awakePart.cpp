@@ -252,7 +252,9 @@ std::vector<int> AwakePart::sleepersBesideDriven(const Grains& grains, const Gra
         for (std::uint32_t k = slotStart_[body]; k < slotStart_[body + 1]; ++k)
         {
             const int other = otherBody(slots_[k], body);
-            if (other < whole_.owned() && sleep.isAsleep(whole_.grainOf[other]) && !grains.isFixed[whole_.grainOf[other]]) found.push_back(whole_.grainOf[other]);
+            if (other >= whole_.owned()) continue;
+            const int i = whole_.grainOf[other];
+            if (sleep.isAsleep(i) && !grains.isFixed[i]) found.push_back(i);
         }
     }
     std::sort(found.begin(), found.end());

@@ -143,20 +143,6 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     return report;
 }
 
-SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
-{
-    SolveReport report = solveOnce(external);
-    // What a blow reaches grows by more and more rings after a while, so that not too many solves find all of it.
-    for (int round = 0; sleep.any(); ++round)
-    {
-        const std::vector<int> disturbed = sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT);
-        if (disturbed.empty()) break;
-        wakeWithinSolve(awakePart.sleepersAround(disturbed, std::max(0, round - 5), sleep, deadBand()));
-        report = together(report, solveOnce(external));
-    }
-    return report;
-}
-
 SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces& external)
 {
     SolveReport report = solveAndWake(external);

@@ -26,6 +26,7 @@ void GrainDynamics::Implementation::giveUpSleep()
 {
     list = awakePart.release();
     sleep = GrainSleep();
+    // As at the start of the step, bonds with them.
     if (!list.cohesion.empty()) beforeStep = collectImpulses(list);
 }
 
@@ -44,10 +45,25 @@ void GrainDynamics::Implementation::wakeWithinSolve(const std::vector<int>& slee
     awakePart.setImpulses(found, sleep.any(), list);
 }
 
+SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
+{
+    SolveReport report = solveOnce(external);
+    // After some solves whole rings of grains are woken, more and more of them: a blow reaches far.
+    constexpr int withoutRings = 5;
+    for (int round = 0; sleep.any(); ++round)
+    {
+        const std::vector<int> disturbed = sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT);
+        if (disturbed.empty()) break;
+        wakeWithinSolve(awakePart.sleepersAround(disturbed, std::max(0, round - withoutRings), sleep, deadBand()));
+        report = together(report, solveOnce(external));
+    }
+    return report;
+}
+
 void GrainDynamics::Implementation::wakeAll()
 {
     if (sleep.any()) giveUpSleep();
-    sleep = GrainSleep();
+    else sleep = GrainSleep();
 }
 
 void GrainDynamics::Implementation::letSleep(const ExternalForces& external, StepReport& report)
