@@ -35,4 +35,8 @@ void takeIsolated(const ContactList& list, Candidates& candidates);
 /// Packs candidates into blocks, near ones into blocks of their own, so that blocks of far ones can be left out of sweeps.
 Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter);
 
+/// Makes the blocks of a list that has its bodies, and the bodies at walls. Candidates of one body with walls stand in a row.
+/// Returns the slots of the inner candidates.
+Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candidates, double diameter);
+
 } // namespace nscd

@@ -183,6 +183,30 @@ void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Can
 
 } // namespace
 
+Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candidates, double diameter)
+{
+    addWallBodies(list, scene, candidates);
+
+    Batches isolated = batchNearAndFar(list, scene, candidates.isolated, diameter);
+    Batches inner = list.clumps.empty() ? batchNearAndFar(list, scene, candidates.inner, diameter) : batchWithClumps(list, scene, candidates.inner, diameter);
+    Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
+    reserveBlocks(list, scene, isolated.blocks + inner.blocks + interface.blocks);
+    const std::vector<int> material = materialOfBodies(list, scene);
+    appendBlocks(list, scene, material, candidates.isolated, isolated);
+    findMovingSlots(list, candidates.isolated, isolated);
+    list.isolatedBlocks = list.blocks.size();
+    appendBlocks(list, scene, material, candidates.inner, inner);
+    groupWallSlots(list, scene, candidates.inner, inner);
+    findMovingSlots(list, candidates.inner, inner);
+    list.interfaceBlock = list.clumps.empty() ? list.blocks.size() : list.clumps.firstBlock;
+    appendBlocks(list, scene, material, candidates.interface, interface);
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        if (list.wall[slot] >= 0) list.slotsOfWalls.push_back(static_cast<std::uint32_t>(slot));
+    }
+    return inner;
+}
+
 ContactList buildContactList
 (
     const Scene& scene, const WallSearch& wallSearch, const std::vector<double>& reach, std::vector<WallReach> wallReach,
@@ -207,25 +231,7 @@ ContactList buildContactList
         joinHalo(list, candidates.interface, exchange);
     }
     if (!list.hasRolling && list.clumps.empty()) takeIsolated(list, candidates);
-    addWallBodies(list, scene, candidates);
-
-    Batches isolated = batchNearAndFar(list, scene, candidates.isolated, diameter);
-    Batches inner = list.clumps.empty() ? batchNearAndFar(list, scene, candidates.inner, diameter) : batchWithClumps(list, scene, candidates.inner, diameter);
-    Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
-    reserveBlocks(list, scene, isolated.blocks + inner.blocks + interface.blocks);
-    const std::vector<int> material = materialOfBodies(list, scene);
-    appendBlocks(list, scene, material, candidates.isolated, isolated);
-    findMovingSlots(list, candidates.isolated, isolated);
-    list.isolatedBlocks = list.blocks.size();
-    appendBlocks(list, scene, material, candidates.inner, inner);
-    groupWallSlots(list, scene, candidates.inner, inner);
-    findMovingSlots(list, candidates.inner, inner);
-    list.interfaceBlock = list.clumps.empty() ? list.blocks.size() : list.clumps.firstBlock;
-    appendBlocks(list, scene, material, candidates.interface, interface);
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
-    {
-        if (list.wall[slot] >= 0) list.slotsOfWalls.push_back(static_cast<std::uint32_t>(slot));
-    }
+    packCandidates(list, scene, candidates, diameter);
     return list;
 }
 

@@ -32,7 +32,7 @@ struct ContactSettings
     double skin = 0.06;
     /// Anderson acceleration of slow solves.
     bool accelerate = true;
-    /// Whether islands of grains at rest are left alone until something changes (on one rank only).
+    /// Whether grains at rest are left alone until something changes (on one rank only).
     bool sleep = true;
     /// Vector path of the sweep: auto, portable, AVX2, AVX512.
     std::string vectorPath = "auto";

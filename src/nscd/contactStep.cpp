@@ -53,7 +53,7 @@ void setBody(Body& body, const Vec3& v, double invMass, const Vec3& s, double in
 
 } // namespace
 
-void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const IslandSleep& sleep)
+void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const GrainSleep& sleep)
 {
     const double kappa = grains.shape.inertiaFactor();
     const std::vector<Vec3>& forceOf = forces.force.empty() ? grains.velocity : forces.force;
@@ -154,13 +154,20 @@ ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const
     if (!wall.empty()) list.halo.sum(wall.front().data(), 3*static_cast<int>(wall.size()));
 
     const auto middle = wall.begin() + static_cast<std::ptrdiff_t>(patches);
-    ContactForces sums{std::vector<Vec3>(list.owned()), std::vector<Vec3>(list.owned()), {wall.begin(), middle}, {middle, wall.end()}};
-    for (int body = 0; body < list.owned(); ++body)
+    force.resize(list.owned());
+    torque.resize(list.owned());
+    return {std::move(force), std::move(torque), {wall.begin(), middle}, {middle, wall.end()}};
+}
+
+void giveToGrains(const ContactForces& onBodies, const std::vector<int>& grainOf, ContactForces& onGrains)
+{
+    for (std::size_t body = 0; body < grainOf.size(); ++body)
     {
-        sums.force[list.grainOf[body]] = force[body];
-        sums.torque[list.grainOf[body]] = torque[body];
+        onGrains.force[grainOf[body]] = onBodies.force[body];
+        onGrains.torque[grainOf[body]] = onBodies.torque[body];
     }
-    return sums;
+    onGrains.wall = onBodies.wall;
+    onGrains.wallTorque = onBodies.wallTorque;
 }
 
 bool coversMotion(const ContactList& list, double deltaT, bool areWallsCovered)

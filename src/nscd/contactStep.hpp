@@ -6,7 +6,7 @@
 
 #include "contactList.hpp"
 #include "grainDynamics.hpp"
-#include "islandSleep.hpp"
+#include "grainSleep.hpp"
 
 namespace nscd
 {
@@ -15,7 +15,7 @@ namespace nscd
 /// Held and sleeping grains have none of either mobility.
 /// Units:   SI; list.bodies is overwritten
 /// Errors:  std::invalid_argument for a force that is not finite, naming the grain
-void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const IslandSleep& sleep);
+void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const GrainSleep& sleep);
 
 /// Whether, to the bit, no body moves along an axis or turns about another one, and all lie in one plane, on this rank.
 bool isInPlane(const ContactList& list, int axis);
@@ -26,8 +26,8 @@ bool isInPlane(const ContactList& list, int axis);
 /// Warm start: impulses times impulseScale = dt_new/dt_old, tangential part turned into the new tangent plane and friction disc.
 void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT, double deadBand, double impulseScale);
 
-/// Sums the impulses of the blocks `loaded`: force on each own grain [N], torque on it [N m]; force of all ranks' grains on each wall
-/// patch [N], and its torque about the patch's torquePoint [N m].
+/// Forces [N] and torques [N m] of contacts on each own body or grain; force of all ranks' grains on each wall patch [N], and its torque
+/// about the patch's torquePoint [N m].
 struct ContactForces
 {
     std::vector<Vec3> force;
@@ -35,7 +35,11 @@ struct ContactForces
     std::vector<Vec3> wall;
     std::vector<Vec3> wallTorque;
 };
+/// Sums the impulses of the blocks `loaded`, by body.
 ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT);
+
+/// Writes forces on bodies to those on grains, whose numbers are given, and the ones on walls.
+void giveToGrains(const ContactForces& onBodies, const std::vector<int>& grainOf, ContactForces& onGrains);
 
 /// Adds the force of a grain on the wall of a slot, and its torque, to `wall`: forces of the patches [N], then torques [N m].
 void addWallForce(const ContactList& list, const Scene& scene, std::size_t slot, const Vec3& onGrain, std::vector<Vec3>& wall);

@@ -75,8 +75,12 @@ void GrainDynamics::Implementation::makeWallSearch()
 void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity)
 {
     const Stopwatch watch(times.findPairs);
+    const bool areSomeAsleep = sleep.any();
     // Within a step bonds are those of its start, whatever a solve has made of them since.
-    const bool isWithinStep = isStepBegun && !list.cohesion.empty();
+    const bool isWithinStep = isStepBegun && !list.cohesion.empty() && !areSomeAsleep;
+    // The attraction of the last step, which belongs to the forces on sleepers, is lost with a list.
+    if (areSomeAsleep && !list.cohesion.empty()) wakeAll();
+    else if (areSomeAsleep) list = awakePart.release();
     ImpulseRecord impulses = isListStale ? std::move(restored) : isWithinStep ? beforeStep : collectImpulses(list);
     restored = ImpulseRecord();
 
@@ -102,48 +106,40 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     isListStale = false;
     isListNew = true;
     fitStepsPerList();
+    if (!sleep.any()) return;
+    holdWholeList();
+    cutAwakePart();
 }
 
 double GrainDynamics::Implementation::measureMotion(double speedScale) const
 {
     if (!(speedScale > 0.0)) return 1.0;
     double sums[2] = {0.0, static_cast<double>(grains.size())};
-    for (const Vec3& v : grains.velocity) sums[0] += std::min(1.0, v.norm()/speedScale);
+    for (int i : list.grainOf) sums[0] += std::min(1.0, grains.velocity[i].norm()/speedScale);
     exchange->sum(sums, 2);
     return sums[1] > 0.0 ? sums[0]/sums[1] : 1.0;
 }
 
+void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
+{
+    const Stopwatch watch(times.buildContacts);
+    setFreeVelocities(list, grains, external, deltaT, sleep);
+    if (!list.clumps.empty()) setFreeClumps(list, grains, external, deltaT);
+    movingWalls.setVelocities(list, grains.shape.emptyAxis);
+    if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
+    chooseKernelsOfStep();
+    prepareSlots(list, kernelsOfStep, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
+    impulseDeltaT = deltaT;
+}
+
 SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external)
 {
-    {
-        const Stopwatch watch(times.buildContacts);
-        do
-        {
-            setFreeVelocities(list, grains, external, deltaT, sleep);
-            if (!list.clumps.empty()) setFreeClumps(list, grains, external, deltaT);
-            movingWalls.setVelocities(list, grains.shape.emptyAxis);
-        }
-        while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()));
-        if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
-        chooseKernelsOfStep();
-        prepareSlots(list, kernelsOfStep, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
-        impulseDeltaT = deltaT;
-    }
+    prepareSolve(external);
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
     const SolveReport report = solveBesideIsolated(problem, list.isolatedBlocks, capGuard.apply(settings), solve);
     if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
-    return report;
-}
-
-SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
-{
-    SolveReport report = solveOnce(external);
-    while (sleep.any() && sleep.wakeByContacts(list, deltaT, deadBand()))
-    {
-        report = together(report, solveOnce(external));
-    }
     return report;
 }
 
@@ -178,7 +174,7 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
         for (int body = 0; body < list.owned(); ++body) grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
         overlap = measureOverlap(list);
     }
-    report.overlapMax = overlap.max/diameter;
+    report.overlapMax = std::max(overlap.max, sleep.any() ? overlapAsleep : 0.0)/diameter;
     report.overlapMean = overlap.mean/diameter;
 }
 
@@ -208,7 +204,7 @@ void GrainDynamics::Implementation::beginAwakeStep(bool haveWallsJumped)
     if (isStepBegun) return;
     isStepBegun = true;
     markBonds(list);
-    beforeStep = list.cohesion.empty() ? ImpulseRecord() : collectImpulses(list);
+    if (!sleep.any()) beforeStep = list.cohesion.empty() ? ImpulseRecord() : collectImpulses(list);
 }
 
 void GrainDynamics::beginStep(double deltaT)
@@ -216,17 +212,17 @@ void GrainDynamics::beginStep(double deltaT)
     if (!(deltaT > 0.0) || !std::isfinite(deltaT)) throw invalidValue("time step", deltaT, "a finite value > 0 s");
     Implementation& self = *self_;
     const bool haveJumped = self.movingWalls.beginStep(deltaT);
-    if (deltaT != self.deltaT || haveJumped || self.movingWalls.isAnyMoving()) self.sleep.wakeAll();
+    if (deltaT != self.deltaT || haveJumped || self.movingWalls.isAnyMoving()) self.wakeAll();
     self.deltaT = deltaT;
-    if (!self.sleep.isEverybodyAsleep()) self.beginAwakeStep(haveJumped);
+    if (!self.isEverybodyAsleep()) self.beginAwakeStep(haveJumped);
 }
 
-bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->list.candidates > 0); }
+bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->wholeList().candidates > 0); }
 
 Prediction GrainDynamics::predict(const ExternalForces& external)
 {
     self_->checkReady(external);
-    self_->sleep.wakeAll();
+    self_->wakeAll();
     if (!self_->isStepBegun) self_->beginAwakeStep(false);
     Prediction prediction;
     prediction.solve = self_->solveVelocities(external);
@@ -235,12 +231,15 @@ Prediction GrainDynamics::predict(const ExternalForces& external)
     {
         prediction.velocity[self_->list.grainOf[body]] = Vec3(self_->list.bodies[body].v);
     }
-    prediction.contactForce = self_->contactForces().force;
+    ContactForces predicted = self_->forces;
+    giveToGrains(self_->forcesOnBodies(), self_->list.grainOf, predicted);
+    prediction.contactForce = std::move(predicted.force);
     return prediction;
 }
 
 Prediction GrainDynamics::tryForces(const ExternalForces& external)
 {
+    self_->wakeAll();
     ImpulseRecord impulses = collectImpulses(self_->list);
     Prediction prediction = predict(external);
     for (std::size_t slot = 0; slot < self_->list.slots(); ++slot)
@@ -256,8 +255,8 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
 {
     Implementation& self = *self_;
     self.checkReady(external);
-    self.sleep.wakeByForces(self.grains, external, self.deltaT);
-    if (self.sleep.isEverybodyAsleep())
+    if (self.sleep.any()) self.wake(self.sleep.disturbedBy(self.grains, external, self.deltaT));
+    if (self.isEverybodyAsleep())
     {
         self.movingWalls.endStep();
         return self.restingReport();
@@ -267,20 +266,16 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     report.solve = self.solveVelocities(external);
     report.listRebuilt = self.isListNew;
     self.isListNew = false;
-    report.candidates = static_cast<std::size_t>(self.list.halo.sum(static_cast<double>(self.list.candidates)));
+    report.candidates = static_cast<std::size_t>(self.list.halo.sum(static_cast<double>(self.wholeList().candidates)));
 
     const Stopwatch watch(self.times.moveGrains);
-    self.forces = self.contactForces();
+    giveToGrains(self.forcesOnBodies(), self.list.grainOf, self.forces);
     report.maxDisplacement = moveGrains(self.list, self.grains, self.box, self.deltaT, self.isFrictional)/self.diameter;
     if (self.materials.anyRestitution()) self.rebound(external, report.solve);
     self.movingWalls.endStep();
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);
-    if (self.settings.sleep && !self.exchange->isParallel() && self.grains.clumps.empty())
-    {
-        self.sleep.fallAsleep(self.list, self.grains, external, report.solve.speedScale, self.deadBand());
-        report.asleep = self.sleep.count();
-    }
+    if (self.maySleep()) self.letSleep(external, report);
     self.capGuard.note(report.solve, self.settings);
     self.lastReport = report;
     self.isStepBegun = false;

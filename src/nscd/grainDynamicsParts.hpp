@@ -4,6 +4,7 @@
 // What a GrainDynamics holds; seen by its own source files only.
 #pragma once
 
+#include "awakePart.hpp"
 #include "capGuard.hpp"
 #include "clumpMotion.hpp"
 #include "contactList.hpp"
@@ -39,14 +40,16 @@ struct GrainDynamics::Implementation
     MovingWalls movingWalls{walls};
     std::unique_ptr<WallSearch> wallSearch;
 
-    ContactList list;
+    ContactList list;             // while grains sleep: the part of it that is awake
     bool isListStale = true;
     bool isListNew = false;       // built since the last step
     double stepsPerList = fewestStepsPerList;
     double deltaT = 0.0;          // of the step begun
     double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
     ImpulseRecord restored;
-    IslandSleep sleep;
+    GrainSleep sleep;
+    AwakePart awakePart;          // holds the list of all while grains sleep
+    double overlapAsleep = 0.0;   // largest of contacts when grains fell asleep last [m]
     CapGuard capGuard;
     StepReport lastReport;
     bool isStepBegun = false;
@@ -65,8 +68,15 @@ struct GrainDynamics::Implementation
         };
     }
     /// Blocks that may carry impulses.
-    BlockRange loaded() const { return sleep.any() ? BlockRange{nullptr, list.blocks.size()} : BlockRange{list.awake.data(), list.awake.size()}; }
-    ContactForces contactForces() const { return sumContactForces(list, loaded(), scene(), deltaT); }
+    BlockRange loaded() const { return {list.awake.data(), list.awake.size()}; }
+    /// On the bodies of the list and on walls.
+    ContactForces forcesOnBodies() const
+    {
+        return sleep.any() ? awakePart.forcesOn(list, loaded(), scene(), deltaT) : sumContactForces(list, loaded(), scene(), deltaT);
+    }
+    const ContactList& wholeList() const { return sleep.any() ? awakePart.whole() : list; }
+    bool isEverybodyAsleep() const { return sleep.any() && awakePart.isEmpty(); }
+    bool maySleep() const { return settings.sleep && !exchange->isParallel() && grains.clumps.empty(); }
     double deadBand() const { return settings.deadBand*diameter; }
 
     void measureGrains();
@@ -78,12 +88,21 @@ struct GrainDynamics::Implementation
     void chooseKernelsOfStep();
     SolveReport solveVelocities(const ExternalForces& external);
     double measureMotion(double speedScale) const;
+    void prepareSolve(const ExternalForces& external);
     SolveReport solveOnce(const ExternalForces& external);
     SolveReport solveAndWake(const ExternalForces& external);
+    void holdWholeList();
+    void cutAwakePart();
+    void wake(const std::vector<int>& sleepers);
+    void wakeWithinSolve(const std::vector<int>& sleepers);
+    void wakeAll();
+    void giveUpSleep();
+    void letSleep(const ExternalForces& external, StepReport& report);
     void beginAwakeStep(bool haveWallsJumped);
     void checkReady(const ExternalForces& external) const;
     StepReport restingReport() const;
     void rebound(const ExternalForces& external, SolveReport& report);
+    void restoreImpulses(const Shock& inelastic);
     void limitWork(const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report);
     void correctPositions(StepReport& report);
 };

@@ -34,9 +34,24 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     const SolveReport shock = solveBesideIsolated(problem, list.isolatedBlocks, shockSettings, solve);
     if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
     report = worstOf(shock, report);
+    if (sleep.any() && !sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty())
+    {
+        // A shock goes through everything that touches: once more, with nobody asleep.
+        restoreImpulses(inelastic);
+        awakePart.giveBack(list, forcesOnBodies());
+        giveUpSleep();
+        prepareSolve(external);
+        rebound(external, report);
+        return;
+    }
     limitWork(freeBodies, inelastic, shock, report);
-    forces = contactForces();
+    giveToGrains(forcesOnBodies(), list.grainOf, forces);
     // The next step starts from the impulses of the motion, not from those of the shock.
+    restoreImpulses(inelastic);
+}
+
+void GrainDynamics::Implementation::restoreImpulses(const Shock& inelastic)
+{
     for (std::size_t k = 0; k < list.blocks.size(); ++k)
     {
         std::copy_n(inelastic.impulses.begin() + static_cast<std::ptrdiff_t>(3*blockLanes*k), 3*blockLanes, &list.blocks[k].r[0][0]);

@@ -116,14 +116,14 @@ void GrainDynamics::drive(std::size_t grain, const Vec3& velocity, const Vec3& o
     {
         throw invalidValue("velocity of driven grain " + std::to_string(grains.id[grain]), "not finite", "finite components [m/s, rad/s]");
     }
-    if (velocity != grains.velocity[grain] || omega != grains.omega[grain]) self_->sleep.wakeAll();
+    if (velocity != grains.velocity[grain] || omega != grains.omega[grain]) self_->wakeAll();
     grains.velocity[grain] = velocity;
     grains.omega[grain] = omega;
 }
 
 std::vector<double> GrainDynamics::loads() const
 {
-    const ContactList& list = self_->list;
+    const ContactList& list = self_->wholeList();
     std::vector<double> load(self_->grains.size(), 1.0);
     if (self_->isListStale) return load;
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
@@ -149,7 +149,7 @@ const StepTimes& GrainDynamics::times() const { return self_->times; }
 
 std::vector<LoadedContact> GrainDynamics::contacts() const
 {
-    const ContactList& list = self_->list;
+    const ContactList& list = self_->wholeList();
     std::vector<LoadedContact> loaded;
     for (const SlotImpulse& entry : loadedSlots(list))
     {
@@ -171,7 +171,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
 {
     Implementation& self = *self_;
     lastDeltaT = self.impulseDeltaT;
-    self.sleep.wakeAll();
+    self.wakeAll();
     self.capGuard.reset();
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
@@ -192,7 +192,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     }
     self.restored = byIndex(impulses, self.grains);
     self.impulseDeltaT = lastDeltaT;
-    self.sleep.wakeAll();
+    self.wakeAll();
     self.capGuard.reset();
     self.list = ContactList();
     self.stepsPerList = fewestStepsPerList;

@@ -58,8 +58,8 @@ std::vector<int> materialOfBodies(const ContactList& list, const Scene& scene)
     std::vector<int> material(list.position.size());
     for (int body = 0; body < list.firstWallBody(); ++body)
     {
-        const int grain = list.grain(body);
-        material[body] = grain < list.owned() ? scene.grains.material[grain] : list.ghosts[grain - list.owned()].material;
+        const int own = list.ownBody(body);
+        material[body] = own < list.owned() ? scene.grains.material[list.grainOf[own]] : list.ghosts[own - list.owned()].material;
     }
     return material;
 }

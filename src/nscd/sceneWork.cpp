@@ -19,7 +19,7 @@ std::string describeWork(const Materials& materials, const GrainShape& shape, co
     else work += ", isolated pairs beside the sweeps";
     if (materials.anyCohesion()) work += ", cohesion";
     work += materials.anyRestitution() ? ", restitution" : ", no restitution pass";
-    if (settings.sleep) work += ", islands may sleep";
+    if (settings.sleep) work += ", grains at rest may sleep";
     return work;
 }
 

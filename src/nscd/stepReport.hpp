@@ -45,7 +45,7 @@ struct StepReport
     double overlapMean = 0.0;
     int correctionSweeps = 0;         ///< of the overlap correction
     double maxDisplacement = 0.0;     ///< of any grain in this step, in d
-    std::size_t asleep = 0;           ///< grains of islands that sleep
+    std::size_t asleep = 0;           ///< grains that sleep; figures of `solve` and overlapMean leave contacts between them out
 };
 
 /// The report of two solves of the same step, one after the other, as one: what the later one reached, and the work of both.

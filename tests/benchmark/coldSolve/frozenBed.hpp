@@ -53,7 +53,7 @@ public:
         }
         for (nscd::ContactBlock& block : list_.blocks) std::fill(&block.r[0][0], &block.r[0][0] + 3*nscd::blockLanes, 0.0);
         const nscd::ExternalForces forces = weight(scene_.grains, scene_.g, deltaT);
-        nscd::setFreeVelocities(list_, scene_.grains, forces, deltaT, nscd::IslandSleep());
+        nscd::setFreeVelocities(list_, scene_.grains, forces, deltaT, nscd::GrainSleep());
         nscd::prepareSlots(list_, kernels_, deltaT, nscd::ContactSettings().deadBand*diameter_, 1.0);
         return {list_.bodies, list_.blocks, list_.awake, list_.interfaceBlock, list_.halo, kernels_, true, deltaT, forces.speedScale, diameter_,
                 list_.position};

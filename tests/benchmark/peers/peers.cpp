@@ -154,7 +154,7 @@ void timeWindow(Run& run, const Options& o)
 {
     const double deltaT = number(o, "deltaT");
     Interval start, interval;
-    // The last grains that roll keep their islands awake.
+    // What still rolls keeps those around it awake.
     const bool isDamped = number(o, "sleep") != 0;
     for (int k = 0; k < int(number(o, "warmUp")); ++k)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// What a step of a bed at rest costs: all grains awake, then asleep. CSV.
+// What a step of a bed at rest costs: all grains awake, then free to sleep. CSV.
 // restingBed bed.dat [tilesX=1] [tilesY=1] [tolerance=1e-3] [steps=100] [warmUp=1000] [vectorPath=auto]: bed.dat as `rankedBed settle` wrote it.
 #include "benchmark/rankedBed/tiledBed.hpp"
 #include "unit/nscd/heaps.hpp"
@@ -62,10 +62,10 @@ void measure(const char* name, nscd::GrainDynamics& dynamics, int steps)
     const double milli = 1e3/steps, total = milli*(now() - start);
     const nscd::StepTimes& to = dynamics.times();
     const double grains = static_cast<double>(dynamics.grains().size());
-    std::printf("%s,%.0f,%zu,%zu,%.2f,%.0f,%d,%.3f,%.1f,%.3f,%.3f,%.3f,%.3f,%.1e\n", name, grains, means.last.solve.contacts, means.last.candidates,
+    std::printf("%s,%.0f,%zu,%zu,%.2f,%.0f,%d,%.3f,%.1f,%.3f,%.3f,%.3f,%.3f,%.1e,%zu\n", name, grains, means.last.solve.contacts, means.last.candidates,
                 means.sweeps/steps, means.rebuilt, means.last.solve.converged, total, 1e6*total/grains, milli*(to.findPairs - from.findPairs),
                 milli*(to.buildContacts - from.buildContacts), milli*(to.solveContacts - from.solveContacts), milli*(to.moveGrains - from.moveGrains),
-                nscd::kineticEnergy(dynamics.grains()));
+                nscd::kineticEnergy(dynamics.grains()), means.last.asleep);
     std::fflush(stdout);
 }
 
@@ -84,7 +84,7 @@ int main(int argc, char** argv)
     settings.tolerance = std::stod(o.at("tolerance"));
     settings.vectorPath = o.at("vectorPath");
     std::printf("what,grains,contacts,candidates,sweeps,listsBuilt,converged,msPerStep,nsPerGrain,findPairsMs,buildContactsMs,solveContactsMs,"
-                "moveGrainsMs,kineticEnergy\n");
+                "moveGrainsMs,kineticEnergy,asleep\n");
     for (const bool sleep : {false, true})
     {
         settings.sleep = sleep;

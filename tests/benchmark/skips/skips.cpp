@@ -144,7 +144,7 @@ void pairs(int perSide)
             const std::vector<double> reach(scene.grains.size(), 0.5*settings.skin*2*radius + 0.25*deltaT);
             nscd::ContactList list = nscd::buildContactList(parts, nscd::WallSearch(scene.walls, 4*radius), reach, {}, 2*radius, alone);
             nscd::updateGeometry(list, parts);
-            nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, Vec3::Zero(), deltaT), deltaT, nscd::IslandSleep());
+            nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, Vec3::Zero(), deltaT), deltaT, nscd::GrainSleep());
             nscd::prepareSlots(list, kernels, deltaT, settings.deadBand*2*radius, 1.0);
             nscd::ContactProblem problem
             {
@@ -177,7 +177,7 @@ void kernels(int perSide)
             const std::vector<double> reach(scene.grains.size(), 0.3*radius);
             nscd::ContactList list = nscd::buildContactList(parts, nscd::WallSearch(scene.walls, 4*radius), reach, {}, 2*radius, alone);
             nscd::updateGeometry(list, parts);
-            nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, scene.g, deltaT), deltaT, nscd::IslandSleep());
+            nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, scene.g, deltaT), deltaT, nscd::GrainSleep());
             nscd::prepareSlots(list, general, deltaT, radius, 1.0);
             double best = 1e30;
             for (int attempt = 0; attempt < 30; ++attempt)

@@ -60,7 +60,7 @@ struct FrozenProblem
         const std::vector<double> reach(scene.grains.size(), settings.skin*radius);
         list = nscd::buildContactList(parts, nscd::WallSearch(scene.walls, 2.0*radius), reach, {}, 2.0*radius, serial);
         nscd::updateGeometry(list, parts);
-        nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, scene.g, deltaT), deltaT, nscd::IslandSleep());
+        nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, scene.g, deltaT), deltaT, nscd::GrainSleep());
         nscd::prepareSlots(list, nscd::chooseKernels("auto"), deltaT, settings.deadBand*2.0*radius, 1.0);
     }
 

@@ -38,7 +38,7 @@ struct FirstStep
         const std::vector<double> reach(scene.grains.size(), 0.2*radius);
         list = nscd::buildContactList(parts, nscd::WallSearch(scene.walls, 4*radius), reach, {}, 2*radius, alone, std::move(old));
         nscd::updateGeometry(list, parts);
-        nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, scene.g, deltaT), deltaT, nscd::IslandSleep());
+        nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, scene.g, deltaT), deltaT, nscd::GrainSleep());
         nscd::prepareSlots(list, kernels, deltaT, 2e-4*radius, 1.0);
     }
 
