@@ -82,6 +82,7 @@ struct StopRule
 
     bool isMet(const DefectSums& sums) const { return isWithin(sums, rmsLimit, maxLimit); }
     bool isPolished(const DefectSums& sums) const { return isWithin(sums, polishedRms, polishedMax); }
+    bool isPolishing() const { return polishedRms < rmsLimit; }
 
 private:
     static bool isWithin(const DefectSums& sums, double rms, double max)

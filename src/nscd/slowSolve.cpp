@@ -17,9 +17,14 @@ namespace
 // little (2 to 5, 2 to 4); without the queue one solve in twenty goes to the cap, with it none did.
 constexpr int patience = 10;
 constexpr int coldPatience = 5;
+constexpr int flowPatience = 3;
 /// A solve whose defect shrinks faster than this a sweep needs no mixing. Mixing overshoots, and where friction makes impulses
 /// indeterminate an overshoot stays as self-stress: small scenes are better off without.
 constexpr double fastContraction = 0.93;
+/// The same where grains flow: the first sweeps tell more of the steep beginning than of what follows.
+constexpr double fastFlowContraction = 0.85;
+/// Motion from which momentum takes the place of mixing in warm solves. What moves less is polished, and momentum has noise of its own.
+constexpr double flowMotion = 0.1;
 /// Mixed every sweep, a bed near rest keeps speeds of 4e-5 g dt instead of less than 1e-5, and its wall forces err by 1e-6 of the weight
 /// instead of 1e-7.
 constexpr int sweepsPerMixing = 3;
@@ -58,7 +63,7 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
     {
         // What each rank knows of itself.
         if (sweeps == coldPatience) isCold_ = !problem_.halo.any(!isCold_);
-        const int sweepsToWait = isCold_ ? coldPatience : patience;
+        const int sweepsToWait = isCold_ ? coldPatience : isFlowing() ? flowPatience : patience;
         if (sweeps % sweepsToWait == 0 && isSlow(sweepsToWait, sums)) start(sweeps);
         return 0;
     }
@@ -84,7 +89,8 @@ bool SlowSolve::isMixingDue(const DefectSums& sums, const StopRule& rule) const
 
 bool SlowSolve::isSlow(int sweepsBetween, const DefectSums& sums)
 {
-    const bool isSlow = sums.sumSquares > std::pow(fastContraction, 2*sweepsBetween)*squaresBefore_;
+    const double fast = !isCold_ && isFlowing() ? fastFlowContraction : fastContraction;
+    const bool isSlow = sums.sumSquares > std::pow(fast, 2*sweepsBetween)*squaresBefore_;
     squaresBefore_ = sums.sumSquares;
     return isSlow;
 }
@@ -95,11 +101,14 @@ void SlowSolve::start(int sweeps)
     makeMixing();
 }
 
+bool SlowSolve::isFlowing() const { return problem_.motion >= flowMotion && !problem_.rolling && !problem_.clumps; }
+
 void SlowSolve::makeMixing()
 {
-    if (isCold_)
+    if (isCold_ || isFlowing())
     {
-        if (!momentum_) momentum_ = std::make_unique<SweepMomentum>(problem_);
+        const auto kind = isCold_ ? SweepMomentum::Kind::falling : SweepMomentum::Kind::flowing;
+        if (!momentum_) momentum_ = std::make_unique<SweepMomentum>(problem_, kind);
     }
     else
     {
@@ -124,7 +133,8 @@ void SlowSolve::forgetDirections()
 void SlowSolve::restart()
 {
     forgetDirections();
-    gatherImpulses(problem_.blocks, problem_.active(), start_);
+    if (momentum_) momentum_->advance();
+    else gatherImpulses(problem_.blocks, problem_.active(), start_);
     sinceMixing_ = 0;
     isMixed_ = false;
 }
@@ -142,18 +152,28 @@ void SlowSolve::judgeTerm(int sweeps)
 void SlowSolve::mix(const DefectSums& sums)
 {
     squaresBefore_ = sums.sumSquares;
-    if (momentum_ && sinceMixing_ > 1) momentum_->forget();
-    if (momentum_) momentum_->mix(start_);
-    else anderson_->mix(problem_.blocks, start_);
-    replaceImpulses(problem_, start_);
+    if (momentum_)
+    {
+        if (sinceMixing_ > 1) momentum_->forget();
+        momentum_->advance();
+    }
+    else
+    {
+        anderson_->mix(problem_.blocks, start_);
+        replaceImpulses(problem_, start_);
+    }
     sinceMixing_ = 0;
     isMixed_ = true;
 }
 
 void SlowSolve::revert()
 {
-    start_ = momentum_ ? momentum_->image() : anderson_->image();
-    replaceImpulses(problem_, start_);
+    if (momentum_) momentum_->revert();
+    else
+    {
+        start_ = anderson_->image();
+        replaceImpulses(problem_, start_);
+    }
     forgetDirections();
     sinceMixing_ = 0;
     isMixed_ = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Two passes over the impulses a sweep.
+// Passes over impulses and velocities after a sweep.
 #include "sweepMomentum.hpp"
 
 #include <algorithm>
@@ -18,6 +18,8 @@ constexpr int blockSize = 3*blockLanes;
 /// With 1 and 1.2 beds 10 to 75 d deep take about as many sweeps (cold, to 1e-3); with 0.5 or 3 up to twice as many.
 constexpr double limitPerDepth = 1.2;
 constexpr double leastLimit = 0.9, mostLimit = 0.99;
+/// Of a collapse of 25 000 grains (four steps, rms to 1e-2 vs): 110, 80, 72, 78 sweeps with 0.7, 0.8, 0.85, 0.88.
+constexpr double flowingTheta = 0.85;
 
 /// Direction of the momentum of all bodies; zero where they have none.
 Vec3 fallingDirection(const ContactProblem& problem)
@@ -48,13 +50,14 @@ double depth(const ContactProblem& problem)
 
 } // namespace
 
-SweepMomentum::SweepMomentum(const ContactProblem& problem)
+SweepMomentum::SweepMomentum(ContactProblem& problem, Kind kind)
 :
     problem_(problem),
-    limit_(std::clamp(1.0 - limitPerDepth/std::max(1.0, depth(problem)), leastLimit, mostLimit))
+    kind_(kind),
+    limit_(kind == Kind::flowing ? flowingTheta : std::clamp(1.0 - limitPerDepth/std::max(1.0, depth(problem)), leastLimit, mostLimit))
 {}
 
-double SweepMomentum::uphill(const Impulses& y) const
+double SweepMomentum::uphill() const
 {
     const BlockRange active = problem_.active();
     double sum = 0.0;
@@ -65,37 +68,78 @@ double SweepMomentum::uphill(const Impulses& y) const
         for (int m = 0; m < 3; ++m)
         {
             const std::size_t at = k*blockSize + m*blockLanes;
-            for (int l = 0; l < blockLanes; ++l) products[l] += (y[at + l] - block.r[m][l])*(block.r[m][l] - image_[at + l]);
+            for (int l = 0; l < blockLanes; ++l) products[l] += (start_[at + l] - block.r[m][l])*(block.r[m][l] - image_[at + l]);
         }
         for (int l = 0; l < blockLanes; ++l) sum += block.invWn[l] > 0.0 ? products[l]/block.invWn[l] : 0.0;
     }
     return problem_.halo.sum(sum);
 }
 
-void SweepMomentum::mix(Impulses& y)
+double SweepMomentum::nextTheta()
 {
-    if (!hasImage_)
-    {
-        gatherImpulses(problem_.blocks, problem_.active(), image_);
-        y = image_;
-        hasImage_ = true;
-        return;
-    }
-    if (uphill(y) > 0.0) pace_ = 1.0;
+    if (kind_ == Kind::flowing) return limit_;
+    if (uphill() > 0.0) pace_ = 1.0;
     const double next = 0.5*(1.0 + std::sqrt(1.0 + 4.0*pace_*pace_)), theta = std::min((pace_ - 1.0)/next, limit_);
     pace_ = next;
+    return theta;
+}
+
+void SweepMomentum::keepImage()
+{
+    gatherImpulses(problem_.blocks, problem_.active(), image_);
+    bodies_ = problem_.bodies;
+    hasImage_ = true;
+}
+
+/// Where impulses are not all that moves bodies (moments of rolling friction, clumps), these follow the impulses alone, projected on their cones.
+void SweepMomentum::extrapolate(double theta)
+{
+    const BlockRange active = problem_.active();
+    start_.resize(image_.size());
+    for (std::size_t k = 0; k < active.count; ++k)
+    {
+        double* const r = &problem_.blocks[active[k]].r[0][0];
+        double* const before = image_.data() + k*blockSize;
+        double* const y = start_.data() + k*blockSize;
+        for (int i = 0; i < blockSize; ++i)
+        {
+            const double now = r[i];
+            y[i] = now + theta*(now - before[i]);
+            before[i] = now;
+        }
+        if (isLinear()) std::copy(y, y + blockSize, r);
+    }
+    if (!isLinear()) return replaceImpulses(problem_, start_);
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    {
+        Body& body = problem_.bodies[i];
+        const Body now = body;
+        for (int m = 0; m < 3; ++m)
+        {
+            body.v[m] += theta*(now.v[m] - bodies_[i].v[m]);
+            body.s[m] += theta*(now.s[m] - bodies_[i].s[m]);
+        }
+        bodies_[i] = now;
+    }
+}
+
+void SweepMomentum::advance()
+{
+    if (hasImage_) return extrapolate(nextTheta());
+    keepImage();
+    start_ = image_;
+}
+
+void SweepMomentum::revert()
+{
+    if (!isLinear()) return replaceImpulses(problem_, start_ = image_);
     const BlockRange active = problem_.active();
     for (std::size_t k = 0; k < active.count; ++k)
     {
-        const double* r = &problem_.blocks[active[k]].r[0][0];
-        double* before = image_.data() + k*blockSize;
-        double* out = y.data() + k*blockSize;
-        for (int i = 0; i < blockSize; ++i)
-        {
-            out[i] = r[i] + theta*(r[i] - before[i]);
-            before[i] = r[i];
-        }
+        const double* const held = image_.data() + k*blockSize;
+        std::copy(held, held + blockSize, &problem_.blocks[active[k]].r[0][0]);
     }
+    problem_.bodies = bodies_;
 }
 
 } // namespace nscd
