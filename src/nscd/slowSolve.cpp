@@ -23,8 +23,6 @@ constexpr int flowPatience = 3;
 constexpr double fastContraction = 0.93;
 /// The same where grains flow: the first sweeps tell more of the steep beginning than of what follows.
 constexpr double fastFlowContraction = 0.85;
-/// Motion from which momentum takes the place of mixing in warm solves. What moves less is polished, and momentum has noise of its own.
-constexpr double flowMotion = 0.1;
 /// Mixed every sweep, a bed near rest keeps speeds of 4e-5 g dt instead of less than 1e-5, and its wall forces err by 1e-6 of the weight
 /// instead of 1e-7.
 constexpr int sweepsPerMixing = 3;
@@ -101,7 +99,7 @@ void SlowSolve::start(int sweeps)
     makeMixing();
 }
 
-bool SlowSolve::isFlowing() const { return problem_.motion >= flowMotion && !problem_.rolling && !problem_.clumps; }
+bool SlowSolve::isFlowing() const { return problem_.isFlowing() && !problem_.rolling && !problem_.clumps; }
 
 void SlowSolve::makeMixing()
 {

@@ -16,12 +16,12 @@ namespace nscd
 inline bool isWakingDue(int sweeps) { return sweeps % 64 == 0 || (sweeps & (sweeps - 1)) == 0; }
 
 /// Whether what a sweep leaves may meet the rule already though what it met does not: half of it, or less where sweeps have momentum.
-/// A look costs most of a sweep. Solutions to be polished take more sweeps anyway.
-inline bool isLookDue(int sweeps, const DefectSums& sums, const StopRule& rule)
+/// A look costs most of a sweep.
+inline bool isLookDue(const ContactProblem& problem, int sweeps, const DefectSums& sums, const StopRule& rule)
 {
     constexpr int sweepsPerLook = 4;
     constexpr double nearly = 2.0;
-    return sweeps % sweepsPerLook == 0 && !rule.isPolishing() && rms(sums) < nearly*rule.rmsLimit;
+    return problem.isFlowing() && sweeps % sweepsPerLook == 0 && rms(sums) < nearly*rule.rmsLimit;
 }
 
 /// Repeats `pass`, which returns the defects it met, until the rule is met and the solution polished, or maxSweeps.
@@ -46,13 +46,13 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
         if (!std::isfinite(sums.sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
         if (++report.sweeps == 1) rule = makeStopRule(problem, settings, sums);
         const bool isFineEnough = rule.isPolished(sums) || polishing == settings.polishSweeps;
-        const DefectSums left = isLookDue(report.sweeps, sums, rule) ? residual(problem) : sums;
+        const DefectSums left = isLookDue(problem, report.sweeps, sums, rule) ? residual(problem) : sums;
         if (rule.isMet(sums) && !isFineEnough) ++polishing;
         else if (rule.isMet(left) && isSolved()) return report;
         if ((rule.isMet(sums) || isWakingDue(report.sweeps)) && wakeBlocks(problem)) help.forget();
         const int work = help.afterSweep(report.sweeps, left, rule);
         report.sweeps += work;
-        if (work > 0 && !rule.isPolishing() && rule.isMet(residual(problem)) && isSolved()) return report;
+        if (work > 0 && problem.isFlowing() && rule.isMet(residual(problem)) && isSolved()) return report;
     }
     help.complete(report, rule);
     reportResidual(report, rule, residual(problem));
