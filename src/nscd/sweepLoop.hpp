@@ -15,14 +15,22 @@ namespace nscd
 /// Whether sleeping contacts are looked at after this sweep: often at first, when velocities change most.
 inline bool isWakingDue(int sweeps) { return sweeps % 64 == 0 || (sweeps & (sweeps - 1)) == 0; }
 
-/// Whether what a sweep leaves may meet the rule already though what it met does not: half of it, or less where sweeps have momentum.
-/// A look costs most of a sweep.
-inline bool isLookDue(const ContactProblem& problem, int sweeps, const DefectSums& sums, const StopRule& rule)
+/// When what a sweep leaves may meet the rule already though what it met does not. A look at that costs most of a sweep.
+class Looks
 {
-    constexpr int sweepsPerLook = 4;
-    constexpr double nearly = 2.0;
-    return problem.isFlowing() && sweeps % sweepsPerLook == 0 && rms(sums) < nearly*rule.rmsLimit;
-}
+public:
+    bool areDue(int sweeps, const DefectSums& met, const StopRule& rule) const
+    {
+        return sweeps % sweepsPerLook == 0 && share_*rms(met) < nearly*rule.rmsLimit;
+    }
+
+    void note(const DefectSums& met, const DefectSums& left) { share_ = rms(left)/rms(met); }
+
+private:
+    static constexpr int sweepsPerLook = 2;
+    static constexpr double nearly = 1.02;
+    double share_ = 0.6;  ///< of the rms that a sweep meets, what it leaves: this with momentum, a little more without
+};
 
 /// Repeats `pass`, which returns the defects it met, until the rule is met and the solution polished, or maxSweeps.
 /// `help` acts between passes: int afterSweep(sweeps, sums, rule) returns the work it did, in sweeps; forget() is called when
@@ -34,6 +42,7 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
     SolveReport report;
     StopRule rule{};
     int polishing = 0;
+    Looks looks;
     const auto isSolved = [&]()
     {
         help.complete(report, rule);
@@ -46,7 +55,8 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
         if (!std::isfinite(sums.sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
         if (++report.sweeps == 1) rule = makeStopRule(problem, settings, sums);
         const bool isFineEnough = rule.isPolished(sums) || polishing == settings.polishSweeps;
-        const DefectSums left = isLookDue(problem, report.sweeps, sums, rule) ? residual(problem) : sums;
+        DefectSums left = sums;
+        if (problem.isFlowing() && looks.areDue(report.sweeps, sums, rule)) looks.note(sums, left = residual(problem));
         if (rule.isMet(sums) && !isFineEnough) ++polishing;
         else if (rule.isMet(left) && isSolved()) return report;
         if ((rule.isMet(sums) || isWakingDue(report.sweeps)) && wakeBlocks(problem)) help.forget();

@@ -36,6 +36,7 @@ public:
 
 private:
     bool isLinear() const { return !problem_.rolling && !problem_.clumps; }
+    bool isStartNeeded() const { return kind_ == Kind::falling || !isLinear(); }
     double nextTheta();
     double uphill() const;
     void keepImage();
