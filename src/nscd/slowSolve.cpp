@@ -28,10 +28,14 @@ constexpr double fastFlowContraction = 0.85;
 constexpr int sweepsPerMixing = 3;
 /// A mixing after which the sum of squared defects grows by more than this is taken back.
 constexpr double growthAllowed = 4.0;
+/// Solutions nearer than this multiple of the rms limit are near.
+constexpr double nearRule = 6.0;
 /// Sweeps in which mixing must bring the sum of squared defects below this share, else it pauses: high friction can trap it.
 constexpr double leastProgress = 0.9;
 constexpr int probation = 60;
 constexpr int sweepsBetweenQueues = 10;
+/// Of the largest defect allowed, what the queue leaves; its defects are not quite those of the residual.
+constexpr double shareOfLimit = 0.7;
 constexpr std::size_t sweepsPerQueue = 20;
 
 /// Whether no contact carries an impulse.
@@ -75,7 +79,7 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
         return 0;
     }
     if (isLocal(sweeps, sums, rule)) return solveLocally(sweeps, rule);
-    if (isMixingDue(sums, rule)) mix(sums);
+    if (isMixingDue(sums, rule)) mix(sums, rule);
     return 0;
 }
 
@@ -147,13 +151,13 @@ void SlowSolve::judgeTerm(int sweeps)
     bestBefore_ = best_;
 }
 
-void SlowSolve::mix(const DefectSums& sums)
+void SlowSolve::mix(const DefectSums& sums, const StopRule& rule)
 {
     squaresBefore_ = sums.sumSquares;
     if (momentum_)
     {
         if (sinceMixing_ > 1) momentum_->forget();
-        momentum_->advance();
+        momentum_->advance(rms(sums) < nearRule*rule.rmsLimit);
     }
     else
     {
@@ -187,7 +191,7 @@ int SlowSolve::solveLocally(int sweeps, const StopRule& rule)
     // Between ranks there are only sweeps: each works on contacts that no other can disturb.
     if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, problem_.clumps ? problem_.active() : problem_.inner());
     const std::size_t used = std::max<std::size_t>(1, queue_->slots().size());
-    const double threshold = 0.5*rule.maxLimit;
+    const double threshold = shareOfLimit*rule.maxLimit;
     const std::size_t visits = queue_->work(queue_->defective(threshold), threshold, sweepsPerQueue*used);
     lastLocal_ = sweeps;
     restart();

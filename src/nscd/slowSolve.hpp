@@ -37,7 +37,7 @@ private:
     void makeMixing();
     void restart();
     void judgeTerm(int sweeps);
-    void mix(const DefectSums& sums);
+    void mix(const DefectSums& sums, const StopRule& rule);
     void revert();
     bool isMixingDue(const DefectSums& sums, const StopRule& rule) const;
     void forgetDirections();

@@ -15,7 +15,7 @@ namespace nscd
 /// falling: theta = min((t - 1)/t', limit), t' = (1 + sqrt(1 + 4 t^2))/2 (Nesterov 1983), with t = 1 again where (y - r).W_nn (r_k - r_{k-1}) > 0
 /// (O'Donoghue & Candes 2015, gradient scheme). Deviations: a sweep takes the place of a gradient step; the limit 1 - 1.2/depth, depth of the
 /// grains in d along the way they fall, within [0.9, 0.99]: with more momentum weight swings, with less it comes down slowly.
-/// flowing: theta = 0.85 always. What is to be found is near by: impulses that moving grains rearrange, not weight from far above.
+/// flowing: theta = 0.9, near the solution 0.8. What is to be found is near by: impulses that moving grains rearrange, not weight from far above.
 class SweepMomentum
 {
 public:
@@ -25,8 +25,8 @@ public:
     /// For the active blocks of a problem, which must stay as they are until forget(); of all ranks.
     SweepMomentum(ContactProblem& problem, Kind kind);
 
-    /// Turns what a sweep has led to, r_k, into the next y.
-    void advance();
+    /// Turns what a sweep has led to, r_k, into the next y. `isNear`: whether the solution is near.
+    void advance(bool isNear = false);
 
     /// Back to r_k.
     void revert();
@@ -37,14 +37,14 @@ public:
 private:
     bool isLinear() const { return !problem_.rolling && !problem_.clumps; }
     bool isStartNeeded() const { return kind_ == Kind::falling || !isLinear(); }
-    double nextTheta();
+    double nextTheta(bool isNear);
     double uphill() const;
     void keepImage();
     void extrapolate(double theta);
 
     ContactProblem& problem_;
     Kind kind_;
-    double limit_;
+    double limit_;        ///< of theta, where grains fall
     double pace_ = 1.0;   ///< t
     bool hasImage_ = false;
     Impulses image_;      ///< r_k
