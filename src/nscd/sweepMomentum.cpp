@@ -22,10 +22,6 @@ constexpr double leastLimit = 0.9, mostLimit = 0.99;
 /// with 0.9, then 0.8; 66 with 0.92, then 0.8; 69 with 0.9, then 0.7. Much momentum brings far changes and keeps a defect of its own.
 constexpr double flowingTheta = 0.9, nearTheta = 0.8;
 
-using ImpulseLanes = Eigen::Map<Eigen::Array<double, blockSize, 1>>;
-using BodyLanes = Eigen::Map<Eigen::Array<double, 8, 1>>;
-static_assert(sizeof(Body) == 8*sizeof(double), "a body is eight numbers");
-
 /// Direction of the momentum of all bodies; zero where they have none.
 Vec3 fallingDirection(const ContactProblem& problem)
 {
@@ -96,29 +92,22 @@ void SweepMomentum::keepImage()
     hasImage_ = true;
 }
 
-/// Where impulses are not all that moves bodies (moments of rolling friction, clumps), these follow the impulses alone, projected on their cones.
 void SweepMomentum::extrapolate(double theta)
 {
-    const BlockRange active = problem_.active();
-    start_.resize(isStartNeeded() ? image_.size() : 0);
-    for (std::size_t k = 0; k < active.count; ++k)
-    {
-        ImpulseLanes r(&problem_.blocks[active[k]].r[0][0]), before(image_.data() + k*blockSize);
-        const Eigen::Array<double, blockSize, 1> now = r;
-        r = now + theta*(now - before);
-        before = now;
-        if (start_.empty()) continue;
-        ImpulseLanes(start_.data() + k*blockSize) = r;
-        if (!isLinear()) r = now;
-    }
-    if (!isLinear()) return replaceImpulses(problem_, start_);
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-    {
-        BodyLanes x(problem_.bodies[i].v), before(bodies_[i].v);
-        const Eigen::Array<double, 8, 1> now = x;
-        x = now + theta*(now - before);  // mobilities stay: theta times zero
-        before = now;
-    }
+    if (!isLinear()) return extrapolateImpulsesAlone(theta);
+    const SweepKernels& kernels = problem_.kernels;
+    kernels.extrapolate(problem_.blocks.data(), problem_.active(), image_.data(), theta);
+    kernels.extrapolateBodies(problem_.bodies.data(), bodies_.data(), bodies_.size(), theta);
+    if (kind_ == Kind::falling) gatherImpulses(problem_.blocks, problem_.active(), start_);
+}
+
+/// Where impulses are not all that moves bodies (moments of rolling friction, clumps): velocities follow the impulses, projected on their cones.
+void SweepMomentum::extrapolateImpulsesAlone(double theta)
+{
+    gatherImpulses(problem_.blocks, problem_.active(), start_);
+    image_.swap(start_);
+    for (std::size_t i = 0; i < start_.size(); ++i) start_[i] = image_[i] + theta*(image_[i] - start_[i]);
+    replaceImpulses(problem_, start_);
 }
 
 void SweepMomentum::advance(bool isNear)

@@ -36,11 +36,11 @@ public:
 
 private:
     bool isLinear() const { return !problem_.rolling && !problem_.clumps; }
-    bool isStartNeeded() const { return kind_ == Kind::falling || !isLinear(); }
     double nextTheta(bool isNear);
     double uphill() const;
     void keepImage();
     void extrapolate(double theta);
+    void extrapolateImpulsesAlone(double theta);
 
     ContactProblem& problem_;
     Kind kind_;
