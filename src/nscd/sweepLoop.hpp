@@ -22,10 +22,13 @@ class Looks
 public:
     bool areDue(int sweeps, const DefectSums& met, const StopRule& rule) const
     {
-        return sweeps % sweepsPerLook == 0 && share_*rms(met) < nearly*rule.rmsLimit;
+        return sweeps % sweepsPerLook == 0 && !rule.isMet(met) && share_*rms(met) < nearly*rule.rmsLimit;
     }
 
-    void note(const DefectSums& met, const DefectSums& left) { share_ = rms(left)/rms(met); }
+    void note(const DefectSums& met, const DefectSums& left)
+    {
+        if (met.sumSquares > 0.0) share_ = rms(left)/rms(met);
+    }
 
 private:
     static constexpr int sweepsPerLook = 2;
