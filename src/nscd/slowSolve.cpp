@@ -34,8 +34,8 @@ constexpr double nearRule = 6.0;
 constexpr double leastProgress = 0.9;
 constexpr int probation = 60;
 constexpr int sweepsBetweenQueues = 10;
-/// Of the largest defect allowed, what the queue leaves; its defects are not quite those of the residual.
-constexpr double shareOfLimit = 0.7;
+/// Of the largest defect allowed, what the queue leaves. Its defects are not quite those of the residual; 0.7 takes half the visits in flows.
+constexpr double shareOfLimit = 0.5, shareInFlow = 0.7;
 constexpr std::size_t sweepsPerQueue = 20;
 
 /// Whether no contact carries an impulse.
@@ -191,7 +191,7 @@ int SlowSolve::solveLocally(int sweeps, const StopRule& rule)
     // Between ranks there are only sweeps: each works on contacts that no other can disturb.
     if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, problem_.clumps ? problem_.active() : problem_.inner());
     const std::size_t used = std::max<std::size_t>(1, queue_->slots().size());
-    const double threshold = shareOfLimit*rule.maxLimit;
+    const double threshold = (problem_.isFlowing() ? shareInFlow : shareOfLimit)*rule.maxLimit;
     const std::size_t visits = queue_->work(queue_->defective(threshold), threshold, sweepsPerQueue*used);
     lastLocal_ = sweeps;
     restart();

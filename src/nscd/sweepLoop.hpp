@@ -12,9 +12,13 @@
 namespace nscd
 {
 
-/// Whether sleeping contacts are looked at after this sweep: often at first, when velocities change most, but each that wakes ends the
-/// history that momentum and mixing live on: at powers of two, a collapse took 96 sweeps a step in place of 81.
-inline bool isWakingDue(int sweeps) { return sweeps % 64 == 0 || sweeps == 1 || sweeps == 4 || sweeps == 16; }
+/// Whether sleeping contacts are looked at after this sweep: often at first, when velocities change most. In flows less often: each that wakes ends
+/// the history that momentum lives on (a collapse took 96 sweeps a step in place of 81).
+inline bool isWakingDue(int sweeps, bool isFlowing)
+{
+    const bool isPowerOfTwo = (sweeps & (sweeps - 1)) == 0, isPowerOfFour = isPowerOfTwo && sweeps % 3 == 1;
+    return sweeps % 64 == 0 || (isFlowing ? isPowerOfFour : isPowerOfTwo);
+}
 
 /// When what a sweep leaves may meet the rule already though what it met does not. A look at that costs most of a sweep.
 class Looks
@@ -63,7 +67,7 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
         if (problem.isFlowing() && looks.areDue(report.sweeps, sums, rule)) looks.note(sums, left = residual(problem));
         if (rule.isMet(sums) && !isFineEnough) ++polishing;
         else if (rule.isMet(left) && isSolved()) return report;
-        if ((rule.isMet(sums) || isWakingDue(report.sweeps)) && wakeBlocks(problem)) help.forget();
+        if ((rule.isMet(sums) || isWakingDue(report.sweeps, problem.isFlowing())) && wakeBlocks(problem)) help.forget();
         const int work = help.afterSweep(report.sweeps, left, rule);
         report.sweeps += work;
         if (work > 0 && problem.isFlowing() && rule.isMet(residual(problem)) && isSolved()) return report;
