@@ -17,7 +17,7 @@ namespace
 // little (2 to 5, 2 to 4); without the queue one solve in twenty goes to the cap, with it none did.
 constexpr int patience = 10;
 constexpr int coldPatience = 5;
-constexpr int flowPatience = 3;
+constexpr int flowPatience = 3;  // the least of the three
 /// A solve whose defect shrinks faster than this a sweep needs no mixing. Mixing overshoots, and where friction makes impulses
 /// indeterminate an overshoot stays as self-stress: small scenes are better off without.
 constexpr double fastContraction = 0.93;
@@ -63,8 +63,8 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
 {
     if (!anderson_ && !momentum_)
     {
-        // What each rank knows of itself.
-        if (sweeps == coldPatience) isCold_ = !problem_.halo.any(!isCold_);
+        // What each rank knows of itself, before anything depends on it: velocities extrapolated on some ranks alone would not be those of the impulses.
+        if (sweeps == flowPatience) isCold_ = !problem_.halo.any(!isCold_);
         const int sweepsToWait = isCold_ ? coldPatience : isFlowing() ? flowPatience : patience;
         if (sweeps % sweepsToWait == 0 && isSlow(sweepsToWait, sums)) start(sweeps);
         return 0;
