@@ -88,6 +88,11 @@ struct MixingSums
 /// Moves a history on to what the blocks hold now, which sweeps made of `start`.
 using DifferenceFunction = MixingSums (*)(const ContactBlock* blocks, BlockRange range, const double* start, const MixingHistory& history);
 
+/// Moves the impulses of blocks on by theta of what they changed since `before` (numbered as in ReplaceFunction), which receives them as they were.
+using ExtrapolateFunction = void (*)(ContactBlock* blocks, BlockRange range, double* before, double theta);
+/// The same for velocities of bodies with the same mobilities as before.
+using ExtrapolateBodiesFunction = void (*)(Body* bodies, Body* before, std::size_t count, double theta);
+
 /// The law of a step: b = g/dt where g > deadBand, else 0, and never more than a bias that no velocity reaches.
 struct LawOfStep
 {
@@ -113,6 +118,8 @@ struct SweepKernels
     ReplaceFunction replaceImpulses;
     ReplaceFunction replaceFrictionless;
     DifferenceFunction addDifferences;
+    ExtrapolateFunction extrapolate;
+    ExtrapolateBodiesFunction extrapolateBodies;
     LawFunction setLaws;
     StartFunction startWarm;
     StartFunction startWarmFrictionless;

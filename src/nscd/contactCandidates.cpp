@@ -8,6 +8,7 @@
 #include "wallSearch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 namespace nscd
@@ -16,8 +17,9 @@ namespace nscd
 namespace
 {
 
-/// Candidates this share of the mean diameter apart or nearer are packed together, as those that will matter most of the time.
-constexpr double nearShare = 0.1;
+/// Candidates no further apart than each of these shares of the mean diameter are packed together, those first that will matter most of the
+/// time: in a collapse 52 000 are loaded, of which 1 in 100 begins more than 0.01 apart; 70 000 are within the first share, 91 000 within the second.
+constexpr std::array<double, 2> nearShares = {0.02, 0.1};
 
 /// All contacts between two ranks are solved by the same one, so that most bodies are moved by one rank at a time; by the
 /// lower one where the sum of the two is even, so that each rank gets about half of its neighbors.
@@ -95,8 +97,7 @@ void takeIsolated(const ContactList& list, Candidates& candidates)
 
 Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter)
 {
-    const double near = nearShare*diameter;
-    const auto isNear = [&](const Candidate& c)
+    const auto isWithin = [&](const Candidate& c, double near)
     {
         if (c.wall >= 0) return nearestPoint(scene.walls, c.wall, list.position[c.a]).distance < list.radius[c.a] + near;
         Vec3 dx = list.position[c.a] - list.position[c.b];
@@ -104,16 +105,16 @@ Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::
         const double reach = list.radius[c.a] + list.radius[c.b] + near;
         return dx.squaredNorm() < reach*reach;
     };
-    std::vector<std::uint32_t> order(candidates.size()), far(candidates.size());
-    std::size_t numberNear = 0, numberFar = 0;
+    std::array<std::vector<std::uint32_t>, nearShares.size() + 1> groups;
     for (std::uint32_t k = 0; k < candidates.size(); ++k)
     {
-        const bool isThisNear = isNear(candidates[k]);
-        order[numberNear] = far[numberFar] = k;
-        numberNear += isThisNear;
-        numberFar += !isThisNear;
+        std::size_t group = 0;
+        while (group < nearShares.size() && !isWithin(candidates[k], nearShares[group]*diameter)) ++group;
+        groups[group].push_back(k);
     }
-    std::copy_n(far.begin(), numberFar, order.begin() + static_cast<std::ptrdiff_t>(numberNear));
+    std::vector<std::uint32_t> order;
+    order.reserve(candidates.size());
+    for (const auto& group : groups) order.insert(order.end(), group.begin(), group.end());
     return batchContacts(candidates, order, list.staticBody());
 }
 

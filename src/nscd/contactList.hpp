@@ -68,6 +68,7 @@ struct ContactList
     std::size_t candidates = 0;             ///< on this rank
     std::vector<std::uint32_t> slotsOfWalls;  ///< all contacts with walls, ascending
     std::vector<std::size_t> fastPairs;     ///< slots of pairs that may move by much of their size in a step; see aimFastPairs()
+    std::vector<std::size_t> aimedPairs;    ///< of these, those aimed since the geometry was new
     std::vector<int> wallSlots;             ///< slots of outlined walls, grouped by body, for the suppression of ghost contacts
     std::vector<std::size_t> movingSlots;   ///< slot of each body at a wall that moves
     std::vector<WallReach> wallReach;       ///< per patch; empty if none moves

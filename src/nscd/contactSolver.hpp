@@ -46,6 +46,9 @@ struct ContactProblem
     /// Contacts of clumps, in blocks behind all others; none in scenes without.
     ClumpList* clumps = nullptr;
 
+    /// Whether most grains move: what a solve leaves is then soon forgotten, where in a bed that comes to rest it decides on how.
+    bool isFlowing() const { return motion >= 0.5; }
+
     /// All blocks but those of clumps.
     BlockRange all() const { return {nullptr, clumps ? clumps->firstBlock : blocks.size()}; }
     BlockRange active() const { return {awake.data(), awake.size()}; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// The pass over memory of an Anderson mixing; included by one translation unit per instruction set, as the sweep is, for the
+// The passes over memory of an Anderson mixing and of momentum; included by one translation unit per instruction set, as the sweep is, for the
 // compiler to vectorize over the lanes.
 #pragma once
 
@@ -89,6 +89,31 @@ inline MixingSums addDifferences(const ContactBlock* blocks, BlockRange range, c
         sums.projection(column) = sumLanes(projection[column]);
     }
     return sums;
+}
+
+inline void extrapolateLanes(double* x, double* before, const Lanes& theta)
+{
+    const Lanes now = loadLanes(x);
+    storeLanes(x, now + theta*(now - loadLanes(before)));
+    storeLanes(before, now);
+}
+
+inline void extrapolateImpulses(ContactBlock* blocks, BlockRange range, double* before, double theta)
+{
+    const Lanes share = Lanes{} + theta;
+    for (std::size_t k = 0; k < range.count; ++k)
+    {
+        ContactBlock& block = blocks[range[k]];
+        for (int m = 0; m < 3; ++m) extrapolateLanes(block.r[m], before + (3*k + m)*blockLanes, share);
+    }
+}
+
+static_assert(sizeof(Body) == sizeof(Lanes), "a body is eight numbers, of which two stay");
+
+inline void extrapolateBodies(Body* bodies, Body* before, std::size_t count, double theta)
+{
+    const Lanes share = Lanes{} + theta;
+    for (std::size_t i = 0; i < count; ++i) extrapolateLanes(bodies[i].v, before[i].v, share);
 }
 
 } // namespace

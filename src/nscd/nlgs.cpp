@@ -21,14 +21,17 @@ public:
     :
         problem_(problem),
         isAccelerated_(settings.accelerate),
+        maxSweeps_(settings.maxSweeps),
         slowSolve_(problem),
         direct_(problem, settings)
     {}
 
     int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule)
     {
-        const int work = isAccelerated_ ? slowSolve_.afterSweep(sweeps, sums, rule) : 0;
-        if (direct_.isDue(sweeps))
+        const bool isDirect = direct_.isDue(sweeps);
+        // Momentum may lead out of the friction cones: a sweep has to follow.
+        const int work = isAccelerated_ && !isDirect && sweeps < maxSweeps_ ? slowSolve_.afterSweep(sweeps, sums, rule) : 0;
+        if (isDirect)
         {
             direct_.solve(rule);
             forget();
@@ -47,6 +50,7 @@ public:
 private:
     ContactProblem& problem_;
     bool isAccelerated_;
+    int maxSweeps_;
     SlowSolve slowSolve_;
     DirectHelp direct_;
 };

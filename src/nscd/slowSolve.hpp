@@ -15,14 +15,14 @@ namespace nscd
 {
 
 /// Watches the sweeps of one solve. After some sweeps it mixes iterates, or gives them momentum where the solve began without any
-/// impulse, which shortens what is slow everywhere (weight passed down through layers); when all that is left is a few bad contacts it works those off by a queue, since clusters that wedge
+/// impulse or most grains move, which shortens what is slow everywhere (weight passed down through layers); when all that is left is a few bad contacts it works those off by a queue, since clusters that wedge
 /// or slip take hundreds of visits and would otherwise make as many sweeps over everything.
 class SlowSolve
 {
 public:
     explicit SlowSolve(ContactProblem& problem);
 
-    /// Returns the work done beside sweeps, in sweeps.
+    /// `sums`: defects that the sweep met, or those that it left, where these were looked at. Returns the work done beside sweeps, in sweeps.
     int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule);
 
     /// To be called when blocks woke up: what was collected about the others is of no use.
@@ -33,10 +33,11 @@ private:
     int solveLocally(int sweeps, const StopRule& rule);
     bool isSlow(int sweepsBetween, const DefectSums& sums);
     void start(int sweeps);
+    bool isFlowing() const;
     void makeMixing();
     void restart();
     void judgeTerm(int sweeps);
-    void mix(const DefectSums& sums);
+    void mix(const DefectSums& sums, const StopRule& rule);
     void revert();
     bool isMixingDue(const DefectSums& sums, const StopRule& rule) const;
     void forgetDirections();
@@ -44,7 +45,7 @@ private:
     ContactProblem& problem_;
     bool isCold_;               ///< started without any impulse (here, until all ranks were asked)
     std::unique_ptr<AndersonAcceleration> anderson_;
-    std::unique_ptr<SweepMomentum> momentum_;   ///< in its place in a cold solve
+    std::unique_ptr<SweepMomentum> momentum_;   ///< in its place in a cold solve, and in a flow
     AndersonAcceleration::Impulses start_;      ///< impulses after the last mixing
     std::unique_ptr<ContactQueue> queue_;
     int sinceMixing_ = 0;

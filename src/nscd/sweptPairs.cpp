@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace nscd
 {
@@ -24,11 +25,20 @@ Vec3 distanceOf(const ContactList& list, const PeriodicBox& box, std::size_t slo
     return x;
 }
 
+/// Sets normal and gap to those at the place that a pair of grains comes to in `time`, along that normal; x = from b to a, u = its velocity.
+void aim(ContactList& list, std::size_t slot, const Vec3& x, const Vec3& u, double radii, double time)
+{
+    const Vec3 n = (x + time*u).normalized();
+    for (int k = 0; k < 3; ++k) list.blocks[slot/blockLanes].n[k][slot % blockLanes] = n[k];
+    list.gap[slot] = n.dot(x) - radii;
+}
+
 } // namespace
 
 void findFastPairs(ContactList& list)
 {
     list.fastPairs.clear();
+    list.aimedPairs.clear();
     const auto reach = [&list](int body) { return body < list.owned() ? list.reach[body] : 0.0; };
     // A member of a clump does not fly straight.
     const std::size_t ofSingleGrains = list.clumps.empty() ? list.slots() : list.clumps.firstBlock*blockLanes;
@@ -44,21 +54,30 @@ void findFastPairs(ContactList& list)
 void aimFastPairs(ContactList& list, const PeriodicBox& box, double deltaT)
 {
     constexpr double nearest = 1e-3;  // in radii: what is nearer than that touches, and is left alone
+    const auto bodiesOf = [&list](std::size_t slot)
+    {
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        return std::pair<int, int>(block.a[slot % blockLanes], block.b[slot % blockLanes]);
+    };
+    for (std::size_t slot : list.aimedPairs)
+    {
+        const auto [a, b] = bodiesOf(slot);
+        aim(list, slot, distanceOf(list, box, slot, a, b), Vec3::Zero(), list.radius[a] + list.radius[b], 0.0);
+    }
+    list.aimedPairs.clear();
     for (std::size_t slot : list.fastPairs)
     {
-        ContactBlock& block = list.blocks[slot/blockLanes];
-        const int lane = slot % blockLanes, a = block.a[lane], b = block.b[lane];
-        const double radii = list.radius[a] + list.radius[b];
-        const Vec3 x = distanceOf(list, box, slot, a, b), u = Vec3(list.bodies[a].v) - Vec3(list.bodies[b].v);
-        const double distance2 = x.squaredNorm(), speed2 = u.squaredNorm(), touching = (1.0 + nearest)*radii, fast = fastShare*radii;
-        if (!(distance2 > touching*touching)) continue;
+        const auto [a, b] = bodiesOf(slot);
+        const Vec3 u = Vec3(list.bodies[a].v) - Vec3(list.bodies[b].v);
+        const double radii = list.radius[a] + list.radius[b], speed2 = u.squaredNorm(), fast = fastShare*radii;
+        if (!(deltaT*deltaT*speed2 > fast*fast)) continue;
+        const Vec3 x = distanceOf(list, box, slot, a, b);
+        const double distance2 = x.squaredNorm(), approach = -x.dot(u), touching = (1.0 + nearest)*radii;
+        if (!(distance2 > touching*touching && approach > 0.0)) continue;
         // |x + u t| = radii at the smaller root, or nearest at -x.u/u.u where there is none.
-        const double approach = -x.dot(u), discriminant = std::max(0.0, approach*approach - speed2*(distance2 - radii*radii));
-        const bool isAimed = approach > 0.0 && deltaT*deltaT*speed2 > fast*fast;
-        const double time = isAimed ? std::min(deltaT, (approach - std::sqrt(discriminant))/speed2) : 0.0;
-        const Vec3 n = (x + time*u).normalized();
-        for (int k = 0; k < 3; ++k) block.n[k][lane] = n[k];
-        list.gap[slot] = n.dot(x) - radii;
+        const double discriminant = std::max(0.0, approach*approach - speed2*(distance2 - radii*radii));
+        aim(list, slot, x, u, radii, std::min(deltaT, (approach - std::sqrt(discriminant))/speed2));
+        list.aimedPairs.push_back(slot);
     }
 }
 

@@ -54,7 +54,7 @@ TEST(Periodic, weightAndSidewaysMomentumAreKept)
     const Scene scene = periodicHeap(Vec3(0.02, 0.02, 0));
     auto dynamics = scene.build(nscd::ContactSettings());
     for (int k = 0; k < 300; ++k) step(dynamics, scene.g, deltaT);
-    for (int k = 0; k < 300; ++k) stepDamped(dynamics, scene.g, deltaT);
+    for (int k = 0; k < 600; ++k) stepDamped(dynamics, scene.g, deltaT);
     step(dynamics, scene.g, deltaT);
     double mass = 0.0;
     for (double m : scene.grains.mass) mass += m;

@@ -21,11 +21,11 @@ nscd::ContactSettings awake()
 
 constexpr double radius = 0.01, deltaT = 1e-3;
 
-/// Lets the grains land, and a viscous medium stop the last ones that roll.
+/// Lets the grains land, and a viscous medium stop the last ones that roll: those in shallow hollows creep there for thousands of steps.
 void comeToRest(const Scene& scene, nscd::GrainDynamics& dynamics)
 {
     for (int k = 0; k < 1000; ++k) step(dynamics, scene.g, deltaT);
-    for (int k = 0; k < 1500; ++k) stepDamped(dynamics, scene.g, deltaT);
+    for (int k = 0; k < 6000; ++k) stepDamped(dynamics, scene.g, deltaT);
 }
 
 /// What the steps of a run at rest are judged by.
