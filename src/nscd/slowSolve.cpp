@@ -42,13 +42,12 @@ constexpr std::size_t sweepsPerQueue = 20;
 bool isCold(const ContactProblem& problem)
 {
     const BlockRange active = problem.active();
-    bool isLoaded = false;
-    for (std::size_t k = 0; k < active.count && !isLoaded; ++k)
+    for (std::size_t k = 0; k < active.count; ++k)
     {
         const double* r = &problem.blocks[active[k]].r[0][0];
-        isLoaded = std::any_of(r, r + 3*blockLanes, [](double x) { return x != 0.0; });
+        if (std::any_of(r, r + 3*blockLanes, [](double x) { return x != 0.0; })) return false;
     }
-    return !isLoaded;
+    return true;
 }
 
 } // namespace

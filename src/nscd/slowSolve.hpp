@@ -15,8 +15,9 @@ namespace nscd
 {
 
 /// Watches the sweeps of one solve. After some sweeps it mixes iterates, or gives them momentum where the solve began without any
-/// impulse or most grains move, which shortens what is slow everywhere (weight passed down through layers); when all that is left is a few bad contacts it works those off by a queue, since clusters that wedge
-/// or slip take hundreds of visits and would otherwise make as many sweeps over everything.
+/// impulse or most grains move, which shortens what is slow everywhere (weight passed down through layers). When all that is left
+/// is a few bad contacts it works those off by a queue, since clusters that wedge or slip take hundreds of visits and would
+/// otherwise make as many sweeps over everything.
 class SlowSolve
 {
 public:

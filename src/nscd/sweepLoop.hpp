@@ -12,8 +12,8 @@
 namespace nscd
 {
 
-/// Whether sleeping contacts are looked at after this sweep: often at first, when velocities change most. In flows less often: each that wakes ends
-/// the history that momentum lives on (a collapse took 96 sweeps a step in place of 81).
+/// Whether sleeping contacts are looked at after this sweep: often at first, when velocities change most. In flows less often: each
+/// that wakes ends the history that momentum lives on (a collapse took 96 sweeps a step in place of 81).
 inline bool isWakingDue(int sweeps, bool isFlowing)
 {
     const bool isPowerOfTwo = (sweeps & (sweeps - 1)) == 0, isPowerOfFour = isPowerOfTwo && sweeps % 3 == 1;
@@ -42,7 +42,8 @@ private:
 
 /// Repeats `pass`, which returns the defects it met, until the rule is met and the solution polished, or maxSweeps.
 /// `help` acts between passes: int afterSweep(sweeps, sums, rule) returns the work it did, in sweeps; forget() is called when
-/// blocks woke up; polish(sums, rule) tells whether a solution that meets the rule is polished, or now is; complete(report, rule) with each solution that may be the last one.
+/// blocks woke up; polish(sums, rule) tells whether a solution that meets the rule is polished, or now is; complete(report, rule) with
+/// each solution that may be the last one.
 /// Errors: std::runtime_error for a velocity that is not finite
 template<class Help>
 SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settings, DefectSums (*pass)(ContactProblem&), Help& help)
