@@ -6,6 +6,8 @@
 
 #include "localContact.hpp"
 
+#include <algorithm>
+
 namespace nscd
 {
 
@@ -14,7 +16,9 @@ namespace
 
 /// Farther away the defects that a few sweeps carry there are below the limit.
 constexpr int contactsAway = 3;
-constexpr int mostSweeps = 100;
+constexpr double mostSweeps = 100.0;
+/// In sweeps over all active contacts.
+constexpr double mostWork = 5.0;
 
 class Neighborhood
 {
@@ -88,9 +92,11 @@ bool polishLoneDefects(ContactProblem& problem, const StopRule& rule)
     std::vector<std::uint32_t> chosen;
     for (int k = 0; k < contactsAway; ++k) chosen = neighborhood.grow();
 
+    const double share = static_cast<double>(chosen.size())/std::max<std::size_t>(1, problem.awake.size());
+    const double sweeps = std::min(mostSweeps, mostWork/problem.halo.max(std::max(share, 1e-3)));
     problem.awake.swap(chosen);
     bool isPolished = false;
-    for (int sweep = 0; sweep < mostSweeps && !isPolished; ++sweep) isPolished = sweepActive(problem).maxSquare <= 0.5*limit*limit;
+    for (int sweep = 0; sweep < sweeps && !isPolished; ++sweep) isPolished = sweepActive(problem).maxSquare <= 0.5*limit*limit;
     problem.awake.swap(chosen);
     return isPolished;
 }

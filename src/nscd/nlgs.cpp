@@ -41,7 +41,9 @@ public:
 
     bool polish(const DefectSums& sums, const StopRule& rule)
     {
-        return rule.isPolished(sums) || (rule.hasLoneDefects(sums) && polishLoneDefects(problem_, rule));
+        if (rule.isPolished(sums)) return true;
+        if (areDefectsLone_ && rule.hasLoneDefects(sums)) return areDefectsLone_ = polishLoneDefects(problem_, rule);
+        return false;
     }
 
     void forget() { slowSolve_.forget(); }
@@ -51,6 +53,7 @@ private:
     ContactProblem& problem_;
     bool isAccelerated_;
     int maxSweeps_;
+    bool areDefectsLone_ = true;   ///< as long as working on them alone has done
     SlowSolve slowSolve_;
     DirectHelp direct_;
 };
