@@ -68,10 +68,11 @@ inline void admitImpulses
 }
 
 /// Blocks and bodies that a pass will come to are asked for this many blocks ahead: without, a pass over more than the caches hold
-/// takes a third longer.
+/// takes twice as long.
 constexpr std::size_t blocksAhead = 12, bodiesAhead = 6;
 
-inline void prefetch(const Body* bodies, const ContactBlock* blocks, BlockRange range, std::size_t k)
+/// Always inlined: GCC takes a function that does nothing but prefetch for one that does nothing, and drops its calls.
+__attribute__((always_inline)) inline void prefetch(const Body* bodies, const ContactBlock* blocks, BlockRange range, std::size_t k)
 {
     if (k + blocksAhead < range.count)
     {
