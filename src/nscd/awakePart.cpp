@@ -124,6 +124,8 @@ void AwakePart::addBodies(ContactList& part, const Grains& grains, const GrainSl
         part.grainOf.push_back(i);
         part.positionAtBuild.push_back(whole_.positionAtBuild[body]);
         part.reach.push_back(whole_.reach[body]);
+        part.slack.push_back(whole_.slack[body]);
+        if (!whole_.path.empty()) part.path.push_back(whole_.path[body]);
         part.position.push_back(whole_.position[body]);
         part.radius.push_back(grains.radius[i]);
         part.inverseMass.push_back(sleep.isAsleep(i) ? 0.0 : whole_.inverseMass[body]);
@@ -150,6 +152,8 @@ ContactList AwakePart::cut(const Scene& scene, const GrainSleep& sleep, double d
 {
     ContactList part;
     part.hasRolling = whole_.hasRolling;
+    part.pathTime = whole_.pathTime;
+    part.age = whole_.age;
     const std::vector<std::uint32_t> slots = slotsOfAwake(sleep);
     addBodies(part, scene.grains, sleep);
     packSlots(part, scene, slots, diameter);
@@ -199,6 +203,7 @@ void AwakePart::setImpulses(const std::vector<Impulse>& impulses, bool isPart, C
 void AwakePart::giveBack(const ContactList& part, const ContactForces& onBodies)
 {
     forEachSlot(part, [&](std::size_t slot, std::size_t inWhole) { copySlot(part, slot, whole_, inWhole); });
+    whole_.age = part.age;
     for (int body = 0; body < part.owned(); ++body)
     {
         whole_.position[bodies_[body]] = part.position[body];

@@ -29,6 +29,8 @@ ContactList emptied(ContactList old)
     keep(list.grainOf, old.grainOf);
     keep(list.positionAtBuild, old.positionAtBuild);
     keep(list.reach, old.reach);
+    keep(list.path, old.path);
+    keep(list.slack, old.slack);
     keep(list.position, old.position);
     keep(list.radius, old.radius);
     keep(list.inverseMass, old.inverseMass);
@@ -210,7 +212,7 @@ Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candid
 ContactList buildContactList
 (
     const Scene& scene, const WallSearch& wallSearch, const std::vector<double>& reach, std::vector<WallReach> wallReach,
-    double diameter, Exchange& exchange, ContactList old
+    double diameter, Exchange& exchange, ContactList old, const ExpectedMotion& expected
 )
 {
     ContactList list = emptied(std::move(old));
@@ -222,7 +224,9 @@ ContactList buildContactList
     const std::vector<double> reachOfAll = addGhosts(list, ghosts);
     const double range = scene.materials.cohesionRange();
     if (range > 0.0) std::for_each(list.reach.begin(), list.reach.end(), [range](double& r) { r -= range; });
-    Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene, wallSearch);
+    list.pathTime = expected.time;
+    for (std::size_t k = 0; k < expected.velocity.size(); ++k) list.path.push_back(expected.time*expected.velocity[list.grainOf[k]]);
+    Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene, wallSearch, expected.margin);
     if (exchange.isParallel())
     {
         dropGhosts(list);

@@ -37,6 +37,10 @@ struct ContactList
     std::vector<int> grainOf;
     std::vector<Vec3> positionAtBuild;
     std::vector<double> reach;              ///< distance a body may travel from positionAtBuild before the list is stale [m]
+    std::vector<Vec3> path;                 ///< displacement expected of it within pathTime, or empty: none is [m]
+    std::vector<double> slack;              ///< distance it may then be from where it was expected [m]
+    double pathTime = 0.0;                  ///< [s]
+    double age = 0.0;                       ///< time that bodies have moved since the list was built [s]
 
     // Per own body, ghost and copy.
     std::vector<Vec3> position;             ///< not wrapped since the list was built [m]
@@ -117,13 +121,22 @@ struct Scene
     const PeriodicBox& box;
 };
 
+/// How grains are expected to move until the list is built again.
+struct ExpectedMotion
+{
+    std::vector<Vec3> velocity;   ///< of each grain, or empty [m/s]
+    double time = 0.0;            ///< [s]
+    double margin = 0.0;          ///< least distance that each may be off the expected place [m]
+};
+
 /// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].
-/// A reach is how far a grain may travel before the list is stale, and the range of cohesion. `old`: a list whose memory is used again.
+/// A reach is how far a grain may travel before the list is stale, and the range of cohesion. Where motion is expected, own pairs that do
+/// not come near one another in it are left out, and a grain that moves otherwise makes the list stale. `old`: a list whose memory is used again.
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 ContactList buildContactList
 (
     const Scene& scene, const WallSearch& wallSearch, const std::vector<double>& reach, std::vector<WallReach> wallReach,
-    double diameter, Exchange& exchange, ContactList old = ContactList()
+    double diameter, Exchange& exchange, ContactList old = ContactList(), const ExpectedMotion& expected = ExpectedMotion()
 );
 
 /// Recomputes normals and gaps at the present positions.

@@ -173,10 +173,12 @@ void giveToGrains(const ContactForces& onBodies, const std::vector<int>& grainOf
 bool coversMotion(const ContactList& list, double deltaT, bool areWallsCovered)
 {
     bool isCovered = areWallsCovered;
+    const double share = list.path.empty() ? 0.0 : std::min(1.0, (list.age + deltaT)/list.pathTime);
     for (int body = 0; body < list.owned() && isCovered; ++body)
     {
-        const Vec3 travel = list.position[body] - list.positionAtBuild[body] + deltaT*Vec3(list.bodies[body].v);
-        isCovered = travel.squaredNorm() <= list.reach[body]*list.reach[body];
+        Vec3 travel = list.position[body] - list.positionAtBuild[body] + deltaT*Vec3(list.bodies[body].v);
+        if (share > 0.0) travel -= share*list.path[body];
+        isCovered = travel.squaredNorm() <= list.slack[body]*list.slack[body];
     }
     return !list.halo.any(!isCovered);
 }
@@ -196,6 +198,7 @@ void copyVelocities(const ContactList& list, Grains& grains)
 double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, double deltaT, bool isRotating)
 {
     double largest2 = 0.0;
+    list.age += deltaT;
     for (int body = 0; body < list.owned(); ++body)
     {
         fetchAhead(list, body, grains.position, grains.orientation);

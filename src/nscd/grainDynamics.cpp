@@ -20,6 +20,8 @@ namespace
 {
 
 constexpr int maxListRebuilds = 6;
+/// What a grain is given to travel, in its way at its speed: the rest is for what blows may do.
+constexpr double roomForBlows = 1.5;
 
 void checkLength(const char* name, std::size_t length, std::size_t grains)
 {
@@ -72,7 +74,7 @@ void GrainDynamics::Implementation::makeWallSearch()
     if (!isFitting) wallSearch = std::make_unique<WallSearch>(walls, largest > 0.0 ? 4.0*largest : diameter);
 }
 
-void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity)
+void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity, bool isStraight)
 {
     const Stopwatch watch(times.findPairs);
     const bool areSomeAsleep = sleep.any();
@@ -91,14 +93,19 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     const double commonSpeed = std::sqrt(sums[0]/std::max(1.0, sums[1]));
     if (!std::isfinite(commonSpeed)) throw invalidValue("rms speed of grains", commonSpeed, "a finite value [m/s]");
     const double range = materials.cohesionRange();
+    ExpectedMotion expected;
+    expected.time = stepsPerList*deltaT;
+    expected.margin = 0.5*settings.skin*diameter;
+    // Over many steps grains do not fly straight.
+    if (isStraight && stepsPerList == fewestStepsPerList) expected.velocity = velocity;
     std::vector<double> reach(grains.size());
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        reach[i] = range + 0.5*settings.skin*diameter + stepsPerList*deltaT*std::max(velocity[i].norm(), commonSpeed);
+        reach[i] = range + expected.margin + expected.time*std::max(roomForBlows*velocity[i].norm(), commonSpeed);
     }
     makeWallSearch();
     std::vector<WallReach> wallReach = movingWalls.reach(*wallSearch, grains, reach, diameter);
-    list = buildContactList(scene(), *wallSearch, reach, std::move(wallReach), diameter, *exchange, std::move(list));
+    list = buildContactList(scene(), *wallSearch, reach, std::move(wallReach), diameter, *exchange, std::move(list), expected);
     updateGeometry(list, scene());
     findFastPairs(list);
     assignImpulses(list, std::move(impulses), *exchange);
@@ -155,7 +162,7 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
         {
             velocity[list.grainOf[body]] = (attempt + 1.0)*Vec3(list.bodies[body].v);
         }
-        rebuildList(velocity);
+        rebuildList(velocity, attempt == 0);
         report = together(report, solveAndWake(external));
     }
     return report;
@@ -199,7 +206,7 @@ StepReport GrainDynamics::Implementation::restingReport() const
 void GrainDynamics::Implementation::beginAwakeStep(bool haveWallsJumped)
 {
     if (isListStale) measureGrains();
-    if (isListStale || !coversStep()) rebuildList(grains.velocity);
+    if (isListStale || !coversStep()) rebuildList(grains.velocity, true);
     else if (haveWallsJumped) updateGeometry(list, scene());
     if (isStepBegun) return;
     isStepBegun = true;

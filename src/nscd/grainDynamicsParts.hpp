@@ -19,7 +19,7 @@ namespace nscd
 {
 
 /// Steps of unchanged motion a list should last at least.
-constexpr double fewestStepsPerList = 2.0;
+constexpr double fewestStepsPerList = 3.0;
 
 struct GrainDynamics::Implementation
 {
@@ -83,7 +83,8 @@ struct GrainDynamics::Implementation
     void makeWallSearch();
     bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list)); }
     void clearForces();
-    void rebuildList(const std::vector<Vec3>& velocity);
+    /// `isStraight`: whether grains can be expected to move with these velocities.
+    void rebuildList(const std::vector<Vec3>& velocity, bool isStraight);
     void fitStepsPerList();
     void chooseKernelsOfStep();
     SolveReport solveVelocities(const ExternalForces& external);

@@ -52,9 +52,12 @@ COUNTED
 COUNTED
 (
     "list", ContactList,
-    _ZN4nscd16buildContactListERKNS_5SceneERKNS_10WallSearchERKSt6vectorIdSaIdEES6_INS_9WallReachESaISB_EEdRNS_8ExchangeENS_11ContactListE,
-    (const void* scene, const void* wallSearch, const Numbers& reach, WallReaches wallReach, double diameter, void* exchange, ContactList old),
-    (scene, wallSearch, reach, std::move(wallReach), diameter, exchange, std::move(old))
+    _ZN4nscd16buildContactListERKNS_5SceneERKNS_10WallSearchERKSt6vectorIdSaIdEES6_INS_9WallReachESaISB_EEdRNS_8ExchangeENS_11ContactListERKNS_14ExpectedMotionE,
+    (
+        const void* scene, const void* wallSearch, const Numbers& reach, WallReaches wallReach, double diameter, void* exchange, ContactList old,
+        const void* expected
+    ),
+    (scene, wallSearch, reach, std::move(wallReach), diameter, exchange, std::move(old), expected)
 )
 COUNTED
 (

@@ -55,8 +55,10 @@ TEST(Restart, continuesInTheMiddleOfACollapse)
 TEST(Restart, aBedAtRestStaysAtRest)
 {
     const Scene scene = heap(3, 4, 5, 0.01, 0.7, 0.4);
-    auto uninterrupted = scene.build(nscd::ContactSettings());
-    auto stopped = scene.build(nscd::ContactSettings());
+    nscd::ContactSettings settings;
+    settings.sleep = false;   // a restart wakes all
+    auto uninterrupted = scene.build(settings);
+    auto stopped = scene.build(settings);
     for (int k = 0; k < 1300; ++k)
     {
         for (nscd::GrainDynamics* dynamics : {&uninterrupted, &stopped})
@@ -66,8 +68,8 @@ TEST(Restart, aBedAtRestStaysAtRest)
         }
     }
     const Stored stored(stopped);
-    auto with = at(stored, scene).build(nscd::ContactSettings());
-    auto without = at(stored, scene).build(nscd::ContactSettings());
+    auto with = at(stored, scene).build(settings);
+    auto without = at(stored, scene).build(settings);
     with.restore(stored.impulses, stored.deltaT);
     const int expected = step(uninterrupted, scene.g, deltaT).solve.sweeps;
     EXPECT_NEAR(step(with, scene.g, deltaT).solve.sweeps, expected, 2);

@@ -171,7 +171,7 @@ TEST(Skip, heldGrainsJoinNothing)
     for (const Vec3& n : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(-Vec3::UnitX())})
     {
         scene.addGrain(2*radius*n, radius);
-        scene.grains.velocity.back() = -n;
+        scene.grains.velocity.back() = -0.5*n;
     }
     auto dynamics = scene.build();
     const nscd::StepReport report = step(dynamics, Vec3::Zero(), deltaT);
