@@ -35,9 +35,11 @@ ContactQueue::ContactQueue(ContactProblem& problem, BlockRange range)
 :
     problem_(problem)
 {
+    blocks_.reserve(range.count);
     used_.reserve(range.count*blockLanes);
     for (std::size_t k = 0; k < range.count; ++k)
     {
+        blocks_.push_back(range[k]);
         for (int lane = 0; lane < blockLanes; ++lane)
         {
             if (isUsed(problem.blocks[range[k]], lane)) used_.push_back(range[k]*blockLanes + lane);
@@ -68,12 +70,7 @@ void ContactQueue::groupByBody()
 
 std::vector<std::uint32_t> ContactQueue::defective(double threshold) const
 {
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t slot : used_)
-    {
-        if (localChange(problem_, slot).defect > threshold) found.push_back(slot);
-    }
-    return found;
+    return defectiveSlots(problem_, {blocks_.data(), blocks_.size()}, threshold);
 }
 
 std::size_t ContactQueue::work(const std::vector<std::uint32_t>& seeds, double threshold, std::size_t maxVisits)

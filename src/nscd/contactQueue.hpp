@@ -34,7 +34,8 @@ private:
     void groupByBody();
 
     ContactProblem& problem_;
-    std::vector<std::uint32_t> used_;
+    std::vector<std::uint32_t> blocks_;
+    std::vector<std::uint32_t> used_;     ///< slots
     std::vector<std::uint32_t> start_;    ///< per body, into slotsOfBody_
     std::vector<std::uint32_t> slotsOfBody_;
 };

@@ -71,6 +71,25 @@ LocalChange localChange(const ContactProblem& problem, std::size_t slot, double 
     return change;
 }
 
+std::vector<std::uint32_t> defectiveSlots(const ContactProblem& problem, BlockRange range, double limit)
+{
+    const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
+    const double small2 = 0.25*limit*limit;
+    std::vector<std::uint32_t> found;
+    for (std::size_t k = 0; k < range.count; ++k)
+    {
+        const std::uint32_t index = range[k];
+        ContactBlock& block = problem.blocks[index];
+        if (!isOfClump(problem.clumps, index*blockLanes) && evaluate(problem.bodies.data(), &block, {nullptr, 1}).maxSquare <= small2) continue;
+        for (int lane = 0; lane < blockLanes; ++lane)
+        {
+            const std::uint32_t slot = index*blockLanes + lane;
+            if (isUsed(block, lane) && localChange(problem, slot).defect > limit) found.push_back(slot);
+        }
+    }
+    return found;
+}
+
 void apply(ContactProblem& problem, std::size_t slot, const LocalChange& change)
 {
     if (isOfClump(problem.clumps, slot))

@@ -23,6 +23,10 @@ LocalChange localChange(const ContactProblem& problem, std::size_t slot);
 /// The same with other mobilities than the contact's W_nn and W_tt [1/kg]: larger ones make a step that is shorter.
 LocalChange localChange(const ContactProblem& problem, std::size_t slot, double wn, double wt);
 
+/// Slots of blocks of the range whose defect exceeds the limit. Blocks of spheres or discs all of whose contacts are below half of it by the
+/// natural map, which differs a little, are passed over at once.
+std::vector<std::uint32_t> defectiveSlots(const ContactProblem& problem, BlockRange range, double limit);
+
 /// Changes the slot's impulse and the velocities of its two bodies.
 void apply(ContactProblem& problem, std::size_t slot, const LocalChange& change);
 

@@ -4,6 +4,7 @@
 // The neighborhood of large defects, and sweeps over it.
 #include "loneDefects.hpp"
 
+#include "clumpVisits.hpp"
 #include "localContact.hpp"
 
 #include <algorithm>
@@ -32,17 +33,9 @@ public:
     /// Bodies of contacts with a larger defect are near.
     void addDefective(double limit)
     {
-        const SweepFunction evaluate = problem_.isFrictional ? problem_.kernels.evaluate : problem_.kernels.evaluateFrictionless;
-        const BlockRange active = problem_.active();
-        for (std::size_t k = 0; k < active.count; ++k)
+        for (std::uint32_t slot : defectiveSlots(problem_, problem_.active(), limit))
         {
-            const std::uint32_t index = active[k];
-            if (problem_.clumps && index >= problem_.clumps->firstBlock) break;
-            if (!(evaluate(problem_.bodies.data(), &blockAt(index), {nullptr, 1}).maxSquare > limit*limit)) continue;
-            for (int lane = 0; lane < blockLanes; ++lane)
-            {
-                if (isUsed(blockAt(index), lane) && localChange(problem_, index*blockLanes + lane).defect > limit) addBodies(index, lane);
-            }
+            if (!isOfClump(problem_.clumps, slot)) addBodies(slot/blockLanes, slot % blockLanes);
         }
     }
 
