@@ -16,7 +16,7 @@ from results import ROOT, Table, pyplot, savePicture
 from softPeers import PEERS, timeStep
 
 BEDS = ROOT/"build/beds"
-EVERY, MOMENTS = 0.05, 6        # s between states of a collapse, and how many
+EVERY = 0.05        # s between states of a collapse
 MODULI = (5e6, 1e8)             # Pa
 GLASS = 5e10
 MOST_ITERATIONS = 20000
@@ -29,7 +29,7 @@ def arguments():
     parser.add_argument("parts", nargs="*", help="of: prepare collapse rest glass accuracy frozen (default: all, in this order)")
     parser.add_argument("--bed", type=Path, default=BEDS/"bed29x30.dat", help="settled bed of LIGGGHTS and LAMMPS (%(default)s)")
     parser.add_argument("--frozen", type=Path, default=BEDS/"bed20x25.dat", help="settled bed of Siconos (%(default)s)")
-    parser.add_argument("--moments", type=int, nargs="+", default=[1, 2, 4, 6], help="of the collapse, in %g s, to time windows at" % EVERY)
+    parser.add_argument("--moments", type=int, nargs="+", default=[1, 2, 4, 6], help="of the collapse, in %g s, to time windows at; it is run to the last" % EVERY)
     parser.add_argument("--reference", action="store_true", help="also make the reference run of the collapse: hours")
     parser.add_argument("--tolerances", type=float, nargs="+", default=[1e-2, 1e-3], help="of our frozen solves (default: 1e-2 1e-3)")
     parser.add_argument("--core", type=int, default=CORE, help="core all are pinned to (default: BENCHMARK_CORE, else 0)")
@@ -69,11 +69,11 @@ def prepare(o, peers):
     periods, grains = settledBed(o.bed, o.core), ourRuns.settle(o.bed, o.core)
     for setting in ourRuns.SETTINGS:
         if setting != "reference" or o.reference:
-            ourRuns.moveWhole(o.bed, setting, EVERY, MOMENTS, o.core)
+            ourRuns.moveWhole(o.bed, setting, EVERY, max(o.moments), o.core)
     for peer in peers:
         for modulus in MODULI:
             softRuns.moveWhole(peer, modulus, "bed", grains["bed"], periods, EVERY, 0, o.core)
-            softRuns.moveWhole(peer, modulus, "collapse", grains["box"], periods, EVERY, MOMENTS, o.core)
+            softRuns.moveWhole(peer, modulus, "collapse", grains["box"], periods, EVERY, max(o.moments), o.core)
 
 
 def peerRow(o, table, peer, modulus, scene, width, moment):

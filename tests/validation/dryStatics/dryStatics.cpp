@@ -155,7 +155,7 @@ void bedOfSpheres()
     int rolling = 0;
     for (int k = 0; k < 500; ++k) rolling += step(dynamics, scene.g, deltaT).solve.sweeps;
     std::printf("  while the last grains roll: %.2f sweeps a step\n", rolling/500.0);
-    for (int k = 0; k < 1000; ++k) stepDamped(dynamics, scene.g, deltaT);
+    for (int k = 0; k < 4000; ++k) stepDamped(dynamics, scene.g, deltaT);
     std::printf("and, once a viscous medium has stopped those, 1000 steps at rest without it\n");
     const nscd::Grains before = dynamics.grains();
     int sweeps = 0, corrections = 0;
