@@ -13,6 +13,8 @@ namespace
 {
 
 constexpr int maxCorrectionSweeps = 50;
+/// Of the overlap allowed.
+constexpr double exactness = 0.1;
 
 /// One near contact of the correction: n.(dx_a - dx_b) >= target - gap, with its accumulated push.
 struct Push
@@ -39,20 +41,43 @@ std::vector<Push> collectPushes(const ContactList& list, std::size_t first, std:
     return pushes;
 }
 
-/// Largest change of a push in one sweep [m].
-double sweepPushes(std::vector<Push>& pushes, const std::vector<double>& mobility, std::vector<Vec3>& shift)
+/// What moves bodies, and where it has moved them.
+struct Shifts
 {
+    std::vector<double> mobility;
+    std::vector<Vec3> shift;       ///< [m]
+    std::vector<int> lastMoved;    ///< sweep in which a body moved by more than is negligible
+    double negligible;             ///< [m]
+    int sweep = 0;
+
+    bool isMoving(int body) const { return lastMoved[body] >= sweep - 1; }
+
+    void move(int body, const Vec3& by)
+    {
+        shift[body] += by;
+        if (mobility[body] > 0.0) lastMoved[body] = sweep;
+    }
+};
+
+/// Largest change of a push in one sweep [m]. Pushes between bodies that have not moved since they were looked at are what they were.
+double sweepPushes(std::vector<Push>& pushes, Shifts& shifts)
+{
+    const std::vector<double>& mobility = shifts.mobility;
+    std::vector<Vec3>& shift = shifts.shift;
     double largest = 0.0;
     for (Push& push : pushes)
     {
+        if (!shifts.isMoving(push.a) && !shifts.isMoving(push.b)) continue;
         const double w = mobility[push.a] + mobility[push.b];
         const double missing = push.required - push.n.dot(shift[push.a] - shift[push.b]);
         const double size = std::max(0.0, push.size + missing/w);
         const double change = size - push.size;
+        const double way = w*std::abs(change);
+        if (way <= shifts.negligible) continue;
         push.size = size;
-        shift[push.a] += mobility[push.a]*change*push.n;
-        shift[push.b] -= mobility[push.b]*change*push.n;
-        largest = std::max(largest, w*std::abs(change));
+        shifts.move(push.a, mobility[push.a]*change*push.n);
+        shifts.move(push.b, -mobility[push.b]*change*push.n);
+        largest = std::max(largest, way);
     }
     return largest;
 }
@@ -66,12 +91,14 @@ std::vector<double> pushMobility(const ContactList& list)
     return mobility;
 }
 
-/// One sweep over pushes between two ranks. Returns the largest change [m].
-double sweepInterface(const ContactList& list, std::vector<Push>& pushes, const std::vector<double>& mobility, std::vector<Vec3>& shift)
+/// One sweep over pushes between two ranks, after which any body may have moved. Returns the largest change [m].
+double sweepInterface(const ContactList& list, std::vector<Push>& pushes, Shifts& shifts)
 {
+    std::vector<Vec3>& shift = shifts.shift;
     list.halo.give(shift);
     const std::vector<Vec3> given(shift.begin() + list.owned(), shift.begin() + list.firstWallBody());
-    const double largest = sweepPushes(pushes, mobility, shift);
+    std::fill(shifts.lastMoved.begin(), shifts.lastMoved.end(), shifts.sweep);
+    const double largest = sweepPushes(pushes, shifts);
     for (std::size_t k = 0; k < given.size(); ++k)
     {
         Vec3& x = shift[list.owned() + k];
@@ -85,24 +112,25 @@ double sweepInterface(const ContactList& list, std::vector<Push>& pushes, const 
 
 int correctOverlaps(ContactList& list, const Scene& scene, double deepest, double tolerance, double deadBand)
 {
-    const std::vector<double> mobility = pushMobility(list);
-    std::vector<Vec3> shift(list.bodies.size(), Vec3::Zero());
+    Shifts shifts{pushMobility(list), std::vector<Vec3>(list.bodies.size(), Vec3::Zero()), std::vector<int>(list.bodies.size(), 0), 0.01*exactness*tolerance};
     const std::size_t interface = list.interfaceBlock*blockLanes;
-    std::vector<Push> inner = collectPushes(list, 0, interface, deepest, -0.5*deadBand);
-    std::vector<Push> between = collectPushes(list, interface, list.slots(), deepest, -0.5*deadBand);
-    int sweeps = 0;
+    // No finer than the sweeps below stop at.
+    const double target = -std::max(0.5*deadBand, exactness*tolerance);
+    std::vector<Push> inner = collectPushes(list, 0, interface, deepest, target);
+    std::vector<Push> between = collectPushes(list, interface, list.slots(), deepest, target);
     double change = 0.0;
     do
     {
-        change = sweepPushes(inner, mobility, shift);
-        if (list.halo.isParallel()) change = list.halo.max(std::max(change, sweepInterface(list, between, mobility, shift)));
+        ++shifts.sweep;
+        change = sweepPushes(inner, shifts);
+        if (list.halo.isParallel()) change = list.halo.max(std::max(change, sweepInterface(list, between, shifts)));
     }
-    while (++sweeps < maxCorrectionSweeps && change > 0.1*tolerance);
+    while (shifts.sweep < maxCorrectionSweeps && change > exactness*tolerance);
 
-    list.halo.give(shift);
-    for (int body = 0; body < list.firstWallBody(); ++body) list.position[body] += shift[body];
+    list.halo.give(shifts.shift);
+    for (int body = 0; body < list.firstWallBody(); ++body) list.position[body] += shifts.shift[body];
     updateGeometry(list, scene);
-    return sweeps;
+    return shifts.sweep;
 }
 
 } // namespace nscd
