@@ -19,7 +19,7 @@ namespace nscd
 {
 
 /// Steps of unchanged motion a list should last at least.
-constexpr double fewestStepsPerList = 3.0;
+constexpr double fewestStepsPerList = 2.0;
 
 struct GrainDynamics::Implementation
 {
