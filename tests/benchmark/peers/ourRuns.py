@@ -12,8 +12,8 @@ PROGRAM = ROOT/"build/core/benchmark/peers"
 # By whose worst overlap they may reach; `default` are the library's own (rms 1e-2, overlap below 1e-3 d), `reference` a quarter of their step.
 SETTINGS = {
     "default": {},
-    "as 1e8": {"tolerance": 0.3, "displacementTolerance": 3e-3, "overlapTolerance": 2.7e-3},
-    "as 5e6": {"tolerance": 0.3, "displacementTolerance": 1e-2, "overlapTolerance": 1.4e-2},
+    "as 1e8": {"tolerance": 0.05, "displacementTolerance": 2e-3, "overlapTolerance": 2.7e-3},
+    "as 5e6": {"tolerance": 0.1, "displacementTolerance": 1e-2, "overlapTolerance": 1e-2},
     "reference": {"deltaT": 2.5e-4},
 }
 REST = {"tolerance": 1e-3}

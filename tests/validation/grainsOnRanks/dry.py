@@ -99,12 +99,12 @@ def smoothCollapse(verdict):
 D = 2e-3
 TOLERANCE = 1e-4
 TILT = math.radians(5)
-SETTLED, RESTED = 0.9, 1.0
+SETTLED, RESTED = 0.9, 1.3
 
 
 def bedProperties(friction, tolerance):
     return ("materials { stone { density 2500; } } contacts { default { friction %g; } } patches { zMax { type exit; } } fluid none;\n"
-            "solver { tolerance %g; displacementTolerance %g; maxSweeps 100000; }\n"
+            "solver { tolerance %g; displacementTolerance %g; maxSweeps 100000; sleep off; }\n"
             "grains { type lattice; box (0 0 0) (0.02 0.02 0.016); count (8 8 6); diameter %g; spread 0.1; jitter 0.9; seed 5; }"
             % (friction, tolerance, min(3e-4, tolerance), D))
 
