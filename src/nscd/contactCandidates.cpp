@@ -22,10 +22,6 @@ namespace
 /// time: in a collapse 52 000 are loaded, of which 1 in 100 begins more than 0.01 apart; 70 000 are within the first share, 91 000 within the second.
 constexpr std::array<double, 2> nearShares = {0.02, 0.1};
 
-/// What a body may come off its path by when another hits it, in the difference of their paths: what a heavy one does to it at once. With 0.7 a quarter
-/// more lists are built in a collapse.
-constexpr double blow = 1.0;
-
 /// All contacts between two ranks are solved by the same one, so that most bodies are moved by one rank at a time; by the
 /// lower one where the sum of the two is even, so that each rank gets about half of its neighbors.
 bool isSolvedHere(int here, int other) { return ((here + other) % 2 == 0) == (here < other); }
@@ -47,30 +43,55 @@ std::vector<Candidate> findWalls(const ContactList& list, const std::vector<doub
     return found;
 }
 
-/// Sets how far own bodies may be off their paths: by the margin, and by what a blow of those around may do. One whose reach does not allow
-/// for that is expected nowhere.
-void setSlack(ContactList& list, const std::vector<BodyPair>& pairs, double margin)
+/// What the search looks up: spheres around bodies, wrapped into the box, by `shift` periods.
+struct SearchSpheres
 {
-    list.slack = list.reach;
-    if (list.path.empty()) return;
-    std::vector<double> relative2(list.owned(), 0.0);
-    for (const BodyPair& pair : pairs)
-    {
-        if (pair.a >= list.owned() || pair.b >= list.owned()) continue;
-        const double way2 = (list.path[pair.a] - list.path[pair.b]).squaredNorm();
-        relative2[pair.a] = std::max(relative2[pair.a], way2);
-        relative2[pair.b] = std::max(relative2[pair.b], way2);
-    }
+    std::vector<Vec3> center;
+    std::vector<double> size;
+    std::vector<Vec3> shift;   ///< empty: none
+};
+
+/// Spheres around the middles of paths. Two bodies that may meet, |x + t w| <= radii + slacks + ranges at some t of [0, 1] with w the difference of
+/// their paths, are no further apart than that + |w|/2 at the middle, and |w| <= |path_a - c| + |path_b - c| for any c: the mean here.
+SearchSpheres spheresOnPaths(const ContactList& list, const PeriodicBox& box, double range)
+{
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& path : list.path) mean += path;
+    mean /= std::max<double>(1.0, static_cast<double>(list.path.size()));
+    SearchSpheres spheres;
+    const bool isPeriodic = box.isPeriodic(0) || box.isPeriodic(1) || box.isPeriodic(2);
     for (int body = 0; body < list.owned(); ++body)
     {
-        const double slack = margin + blow*std::sqrt(relative2[body]);
-        if (slack + list.path[body].norm() <= list.reach[body]) list.slack[body] = slack;
-        else list.path[body].setZero();
+        const Vec3 middle = list.position[body] + 0.5*list.path[body];
+        spheres.center.push_back(box.wrap(middle));
+        spheres.size.push_back(list.radius[body] + range + list.slack[body] + 0.5*(list.path[body] - mean).norm());
+        if (isPeriodic) spheres.shift.push_back(spheres.center.back() - middle);
     }
+    return spheres;
+}
+
+SearchSpheres spheresAtBodies(const ContactList& list, const std::vector<double>& reach)
+{
+    SearchSpheres spheres{list.position, std::vector<double>(reach.size()), {}};
+    for (std::size_t body = 0; body < reach.size(); ++body) spheres.size[body] = list.radius[body] + reach[body];
+    return spheres;
+}
+
+/// The image of a pair of bodies whose spheres are images of one another.
+std::array<signed char, 3> imageOfBodies(const SearchSpheres& spheres, const BodyPair& pair, const PeriodicBox& box)
+{
+    std::array<signed char, 3> image = pair.image;
+    if (spheres.shift.empty()) return image;
+    const Vec3 shift = spheres.shift[pair.b] - spheres.shift[pair.a];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (box.isPeriodic(axis)) image[axis] = static_cast<signed char>(image[axis] + std::lround(shift[axis]/box.length[axis]));
+    }
+    return image;
 }
 
 /// Whether two own bodies may touch on their ways, or attract each other within `range` each.
-bool mayMeet(const ContactList& list, const BodyPair& pair, const PeriodicBox& box, double range)
+bool mayMeet(const ContactList& list, const Candidate& pair, const PeriodicBox& box, double range)
 {
     Vec3 x = list.position[pair.a] - list.position[pair.b];
     for (int axis = 0; axis < 3; ++axis) x[axis] -= pair.image[axis]*box.length[axis];
@@ -86,17 +107,15 @@ bool mayMeet(const ContactList& list, const BodyPair& pair, const PeriodicBox& b
 Candidates findCandidates
 (
     ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
-    const WallSearch& wallSearch, double margin
+    const WallSearch& wallSearch
 )
 {
-    std::vector<double> size(reach.size());
-    for (std::size_t body = 0; body < size.size(); ++body) size[body] = list.radius[body] + reach[body];
-    const double largest = size.empty() ? 0.0 : *std::max_element(list.radius.begin(), list.radius.end());
-
-    const std::vector<BodyPair>& pairs = list.search.find(list.position, size, scene.box, largest);
-    const std::vector<Candidate> walls = findWalls(list, reach, wallSearch);
-    setSlack(list, pairs, margin);
     const double range = scene.materials.cohesionRange();
+    const double largest = list.radius.empty() ? 0.0 : *std::max_element(list.radius.begin(), list.radius.end());
+    const bool arePathsKnown = !list.path.empty();
+    const SearchSpheres spheres = arePathsKnown ? spheresOnPaths(list, scene.box, range) : spheresAtBodies(list, reach);
+    const std::vector<BodyPair>& pairs = list.search.find(spheres.center, spheres.size, scene.box, largest);
+    const std::vector<Candidate> walls = findWalls(list, reach, wallSearch);
 
     Candidates found;
     found.inner.reserve(pairs.size() + walls.size());
@@ -105,10 +124,10 @@ Candidates findCandidates
     {
         for (; wall != walls.end() && wall->a < pair.a; ++wall) found.inner.push_back(*wall);
         if (pair.a >= list.owned() || (list.inverseMass[pair.a] == 0.0 && list.inverseMass[pair.b] == 0.0)) continue;
-        const Candidate candidate{pair.a, pair.b, -1, pair.image};
+        const Candidate candidate{pair.a, pair.b, -1, imageOfBodies(spheres, pair, scene.box)};
         if (pair.b < list.owned())
         {
-            if (list.path.empty() || mayMeet(list, pair, scene.box, range)) found.inner.push_back(candidate);
+            if (!arePathsKnown || mayMeet(list, candidate, scene.box, range)) found.inner.push_back(candidate);
         }
         else if (isSolvedHere(rank, ghosts[pair.b - list.owned()].owner)) found.interface.push_back(candidate);
     }

@@ -21,13 +21,13 @@ struct Candidates
 };
 
 /// The list's position, radius and `reach` are those of own bodies and of ghosts; walls have `b` = -1. The list's search is used.
-/// `margin`: see ExpectedMotion. Sets what bodies may be off their paths by.
+/// Where paths are expected there are no ghosts.
 /// Cost: linear in the number of bodies for any size distribution (one grid per octave of radius + reach).
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 Candidates findCandidates
 (
     ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
-    const WallSearch& wallSearch, double margin
+    const WallSearch& wallSearch
 );
 
 /// Moves the candidates none of whose grains has another one, on any rank, from `inner` to `isolated`. Held grains join nothing.

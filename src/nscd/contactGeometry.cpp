@@ -63,6 +63,14 @@ bool isAnyShifted(const std::array<signed char, 3>* image)
     return (shifts[0] | shifts[1] | shifts[2]) != 0;
 }
 
+/// Whether all lanes of a block are used, by pairs of grains.
+bool isOfPairs(const ContactList& list, std::size_t k)
+{
+    using Indices = Eigen::Array<int, blockLanes, 1>;
+    return Eigen::Map<const Indices>(&list.wall[k*blockLanes]).maxCoeff() < 0
+        && Eigen::Map<const Indices>(list.blocks[k].a).maxCoeff() < list.staticBody();
+}
+
 /// Normals and gaps of the pairs of a block, all lanes at once.
 void updatePairs(ContactList& list, const Scene& scene, const std::vector<BodySphere>& spheres, std::size_t k)
 {
@@ -86,6 +94,13 @@ void updatePairs(ContactList& list, const Scene& scene, const std::vector<BodySp
     }
     const Lanes distance = (x[0]*x[0] + x[1]*x[1] + x[2]*x[2]).sqrt();
     const Lanes inverse = 1.0/distance.max(std::numeric_limits<double>::min()), gap = distance - radii;
+    const bool isCoincident = !(distance > 1e-12*radii).all();
+    if (isOfPairs(list, k) && !isCoincident)
+    {
+        for (int axis = 0; axis < 3; ++axis) Eigen::Map<Lanes>(block.n[axis]) = x[axis]*inverse;
+        Eigen::Map<Lanes>(&list.gap[k*blockLanes]) = gap;
+        return;
+    }
     for (int lane = 0; lane < blockLanes; ++lane)
     {
         const std::size_t slot = k*blockLanes + lane;

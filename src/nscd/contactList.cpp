@@ -74,6 +74,19 @@ void sortBodies(ContactList& list, const Grains& grains, const std::vector<doubl
     list.positionAtBuild = list.position;
 }
 
+void setPaths(ContactList& list, const ExpectedMotion& expected)
+{
+    list.pathTime = expected.time;
+    list.slack = list.reach;
+    if (expected.velocity.empty()) return;
+    list.path.reserve(list.owned());
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        list.path.push_back(expected.time*expected.velocity[list.grainOf[body]]);
+        list.slack[body] -= list.path[body].norm();
+    }
+}
+
 std::vector<double> addGhosts(ContactList& list, const std::vector<GhostGrain>& ghosts)
 {
     reserveBodies(list, list.owned() + ghosts.size());
@@ -224,9 +237,8 @@ ContactList buildContactList
     const std::vector<double> reachOfAll = addGhosts(list, ghosts);
     const double range = scene.materials.cohesionRange();
     if (range > 0.0) std::for_each(list.reach.begin(), list.reach.end(), [range](double& r) { r -= range; });
-    list.pathTime = expected.time;
-    for (std::size_t k = 0; k < expected.velocity.size(); ++k) list.path.push_back(expected.time*expected.velocity[list.grainOf[k]]);
-    Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene, wallSearch, expected.margin);
+    setPaths(list, expected);
+    Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene, wallSearch);
     if (exchange.isParallel())
     {
         dropGhosts(list);

@@ -38,7 +38,7 @@ struct ContactList
     std::vector<Vec3> positionAtBuild;
     std::vector<double> reach;              ///< distance a body may travel from positionAtBuild before the list is stale [m]
     std::vector<Vec3> path;                 ///< displacement expected of it within pathTime, or empty: none is [m]
-    std::vector<double> slack;              ///< distance it may then be from where it was expected [m]
+    std::vector<double> slack;              ///< what of the reach its path leaves: distance it may be from where it was expected [m]
     double pathTime = 0.0;                  ///< [s]
     double age = 0.0;                       ///< time that bodies have moved since the list was built [s]
 
@@ -126,12 +126,11 @@ struct ExpectedMotion
 {
     std::vector<Vec3> velocity;   ///< of each grain, or empty [m/s]
     double time = 0.0;            ///< [s]
-    double margin = 0.0;          ///< least distance that each may be off the expected place [m]
 };
 
 /// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].
 /// A reach is how far a grain may travel before the list is stale, and the range of cohesion. Where motion is expected, own pairs that do
-/// not come near one another in it are left out, and a grain that moves otherwise makes the list stale. `old`: a list whose memory is used again.
+/// not come near one another in it are left out, and a grain that moves otherwise, by more than its reach less its path, makes the list stale. `old`: a list whose memory is used again.
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 ContactList buildContactList
 (

@@ -5,6 +5,7 @@
 #include "contactStep.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace nscd
 {
@@ -13,13 +14,14 @@ namespace
 {
 
 constexpr int maxCorrectionSweeps = 50;
+/// Between two sweeps over all pushes those are swept over whose bodies moved in the first: one in seven in a collapse.
+constexpr int sweepsOfWorking = 4;
 /// Of the overlap allowed.
 constexpr double exactness = 0.1;
 
 /// One near contact of the correction: n.(dx_a - dx_b) >= target - gap, with its accumulated push.
 struct Push
 {
-    std::size_t slot;
     int a;
     int b;
     Vec3 n;
@@ -36,7 +38,7 @@ std::vector<Push> collectPushes(const ContactList& list, std::size_t first, std:
         if (!list.isUsed(slot) || list.gap[slot] > 2.0*deepest) continue;
         const ContactBlock& block = list.blocks[slot/blockLanes];
         const int lane = slot % blockLanes;
-        pushes.push_back({slot, block.a[lane], block.b[lane], normal(list, slot), target - list.gap[slot]});
+        pushes.push_back({block.a[lane], block.b[lane], normal(list, slot), target - list.gap[slot]});
     }
     return pushes;
 }
@@ -50,7 +52,7 @@ struct Shifts
     double negligible;             ///< [m]
     int sweep = 0;
 
-    bool isMoving(int body) const { return lastMoved[body] >= sweep - 1; }
+    bool hasMoved(const Push& push, int since) const { return lastMoved[push.a] >= since || lastMoved[push.b] >= since; }
 
     void move(int body, const Vec3& by)
     {
@@ -59,25 +61,59 @@ struct Shifts
     }
 };
 
-/// Largest change of a push in one sweep [m]. Pushes between bodies that have not moved since they were looked at are what they were.
-double sweepPushes(std::vector<Push>& pushes, Shifts& shifts)
+/// Returns the change of a push [m].
+double sweepPush(Push& push, Shifts& shifts)
 {
     const std::vector<double>& mobility = shifts.mobility;
-    std::vector<Vec3>& shift = shifts.shift;
+    const double w = mobility[push.a] + mobility[push.b];
+    const double missing = push.required - push.n.dot(shifts.shift[push.a] - shifts.shift[push.b]);
+    const double size = std::max(0.0, push.size + missing/w);
+    const double change = size - push.size;
+    const double way = w*std::abs(change);
+    if (way <= shifts.negligible) return 0.0;
+    push.size = size;
+    shifts.move(push.a, mobility[push.a]*change*push.n);
+    shifts.move(push.b, -mobility[push.b]*change*push.n);
+    return way;
+}
+
+/// Largest change of a push in one sweep [m]. Pushes between bodies that have not moved since they were looked at are what they were.
+double sweepPushes(std::vector<Push>& pushes, Shifts& shifts, int since)
+{
     double largest = 0.0;
     for (Push& push : pushes)
     {
-        if (!shifts.isMoving(push.a) && !shifts.isMoving(push.b)) continue;
-        const double w = mobility[push.a] + mobility[push.b];
-        const double missing = push.required - push.n.dot(shift[push.a] - shift[push.b]);
-        const double size = std::max(0.0, push.size + missing/w);
-        const double change = size - push.size;
-        const double way = w*std::abs(change);
-        if (way <= shifts.negligible) continue;
-        push.size = size;
-        shifts.move(push.a, mobility[push.a]*change*push.n);
-        shifts.move(push.b, -mobility[push.b]*change*push.n);
-        largest = std::max(largest, way);
+        if (shifts.hasMoved(push, since)) largest = std::max(largest, sweepPush(push, shifts));
+    }
+    return largest;
+}
+
+/// Pushes between bodies of this rank, and those of them whose bodies moved when all were last looked at.
+struct InnerPushes
+{
+    std::vector<Push> all;
+    std::vector<std::uint32_t> working;
+    int lastWhole = 0;   ///< sweep
+};
+
+double sweepWhole(InnerPushes& pushes, Shifts& shifts)
+{
+    const double largest = sweepPushes(pushes.all, shifts, pushes.lastWhole);
+    pushes.lastWhole = shifts.sweep;
+    pushes.working.clear();
+    for (std::uint32_t k = 0; k < pushes.all.size(); ++k)
+    {
+        if (shifts.hasMoved(pushes.all[k], shifts.sweep)) pushes.working.push_back(k);
+    }
+    return largest;
+}
+
+double sweepWorking(InnerPushes& pushes, Shifts& shifts)
+{
+    double largest = 0.0;
+    for (std::uint32_t k : pushes.working)
+    {
+        if (shifts.hasMoved(pushes.all[k], shifts.sweep - 1)) largest = std::max(largest, sweepPush(pushes.all[k], shifts));
     }
     return largest;
 }
@@ -98,7 +134,7 @@ double sweepInterface(const ContactList& list, std::vector<Push>& pushes, Shifts
     list.halo.give(shift);
     const std::vector<Vec3> given(shift.begin() + list.owned(), shift.begin() + list.firstWallBody());
     std::fill(shifts.lastMoved.begin(), shifts.lastMoved.end(), shifts.sweep);
-    const double largest = sweepPushes(pushes, shifts);
+    const double largest = sweepPushes(pushes, shifts, shifts.sweep);
     for (std::size_t k = 0; k < given.size(); ++k)
     {
         Vec3& x = shift[list.owned() + k];
@@ -116,16 +152,19 @@ int correctOverlaps(ContactList& list, const Scene& scene, double deepest, doubl
     const std::size_t interface = list.interfaceBlock*blockLanes;
     // No finer than the sweeps below stop at.
     const double target = -std::max(0.5*deadBand, exactness*tolerance);
-    std::vector<Push> inner = collectPushes(list, 0, interface, deepest, target);
+    InnerPushes inner{collectPushes(list, 0, interface, deepest, target), {}};
     std::vector<Push> between = collectPushes(list, interface, list.slots(), deepest, target);
+    const double negligibleChange = exactness*tolerance;
     double change = 0.0;
+    bool isWhole = true;
     do
     {
         ++shifts.sweep;
-        change = sweepPushes(inner, shifts);
+        isWhole = change <= negligibleChange || shifts.sweep - inner.lastWhole > sweepsOfWorking;
+        change = isWhole ? sweepWhole(inner, shifts) : sweepWorking(inner, shifts);
         if (list.halo.isParallel()) change = list.halo.max(std::max(change, sweepInterface(list, between, shifts)));
     }
-    while (shifts.sweep < maxCorrectionSweeps && change > exactness*tolerance);
+    while (shifts.sweep < maxCorrectionSweeps && !(isWhole && change <= negligibleChange));
 
     list.halo.give(shifts.shift);
     for (int body = 0; body < list.firstWallBody(); ++body) list.position[body] += shifts.shift[body];
