@@ -57,6 +57,10 @@ struct BlockRange
 /// One pass over blocks. A sweep updates impulses and velocities in place, an evaluation changes nothing.
 using SweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, BlockRange range);
 
+/// A sweep that moves the impulses of each block on first, by theta of what they changed since `before` (numbered as in ReplaceFunction), which receives
+/// them as they were; velocities are those of impulses moved on.
+using MomentumSweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, BlockRange range, double* before, double theta);
+
 /// Replaces the impulses of blocks by `target` (24 numbers a block of the range: x, y, z of eight lanes each), made admissible by
 /// cutting attraction off and scaling the tangential part into the friction disc, and moves the velocities along; `target`
 /// receives what was set.
@@ -113,6 +117,8 @@ struct SweepKernels
     int lanes;
     SweepFunction sweep;
     SweepFunction sweepFrictionless;
+    MomentumSweepFunction sweepOn;
+    MomentumSweepFunction sweepOnFrictionless;
     SweepFunction evaluate;
     SweepFunction evaluateFrictionless;
     ReplaceFunction replaceImpulses;
@@ -124,6 +130,7 @@ struct SweepKernels
     StartFunction startWarm;
     StartFunction startWarmFrictionless;
     SweepFunction sweepDiscs[3];      ///< by the axis that nothing moves along
+    MomentumSweepFunction sweepOnDiscs[3];
     SweepFunction evaluateDiscs[3];
 };
 

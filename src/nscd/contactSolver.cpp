@@ -5,9 +5,11 @@
 #include "contactSolver.hpp"
 
 #include "invalidValue.hpp"
+#include "packedContacts.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace nscd
 {
@@ -39,9 +41,15 @@ void add(DefectSums& sums, const DefectSums& more)
 
 } // namespace
 
-DefectSums sweepBlocks(ContactProblem& problem, BlockRange range)
+DefectSums sweepBlocks(ContactProblem& problem, BlockRange range, double* before)
 {
-    const SweepFunction sweep = problem.isFrictional ? problem.kernels.sweep : problem.kernels.sweepFrictionless;
+    const SweepKernels& kernels = problem.kernels;
+    if (before)
+    {
+        const MomentumSweepFunction sweepOn = problem.isFrictional ? kernels.sweepOn : kernels.sweepOnFrictionless;
+        return sweepOn(problem.bodies.data(), problem.blocks.data(), range, before, problem.theta);
+    }
+    const SweepFunction sweep = problem.isFrictional ? kernels.sweep : kernels.sweepFrictionless;
     const DefectSums contacts = sweep(problem.bodies.data(), problem.blocks.data(), range);
     if (!problem.rolling) return contacts;
     return together(contacts, sweepRolling(problem.bodies.data(), problem.blocks.data(), *problem.rolling, range));
@@ -78,11 +86,13 @@ BlockRange ContactProblem::activeClumps() const
 
 DefectSums sweepActive(ContactProblem& problem)
 {
-    DefectSums inner = sweepBlocks(problem, problem.inner());
+    double* const before = std::exchange(problem.before, nullptr);
+    const BlockRange insideRank = problem.inner();
+    DefectSums inner = sweepBlocks(problem, insideRank, before);
     if (problem.clumps) add(inner, sweepClumps(problem.bodies.data(), problem.blocks.data(), *problem.clumps, problem.activeClumps()));
     if (!problem.halo.isParallel()) return inner;
     problem.halo.giveVelocities(problem.bodies);
-    const DefectSums between = sweepBlocks(problem, problem.interface());
+    const DefectSums between = sweepBlocks(problem, problem.interface(), before ? before + 3*blockLanes*insideRank.count : nullptr);
     problem.halo.takeVelocities(problem.bodies);
     return overRanks(problem.halo, inner, between);
 }
@@ -103,6 +113,15 @@ void replaceImpulses(ContactProblem& problem, std::vector<double>& target)
     problem.halo.takeVelocities(problem.bodies);
 }
 
+DefectSums residualOfActive(ContactProblem& problem)
+{
+    if (problem.rolling || problem.clumps) return residual(problem);
+    const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
+    problem.halo.giveVelocities(problem.bodies);
+    const DefectSums here = evaluate(problem.bodies.data(), problem.blocks.data(), problem.active());
+    return problem.halo.isParallel() ? overRanks(problem.halo, here, {0.0, 0.0, 0.0}) : here;
+}
+
 DefectSums residual(ContactProblem& problem)
 {
     const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
@@ -114,11 +133,13 @@ DefectSums residual(ContactProblem& problem)
         here = together(here, evaluateRolling(problem.bodies.data(), problem.blocks.data(), *problem.rolling, problem.all()));
     }
     if (problem.clumps) add(here, evaluateClumps(problem.bodies.data(), problem.blocks, *problem.clumps));
+    if (problem.isPacked) add(here, problem.packing->defectsOfRest(problem));
     return problem.halo.isParallel() ? overRanks(problem.halo, here, {0.0, 0.0, 0.0}) : here;
 }
 
 bool wakeBlocks(ContactProblem& problem)
 {
+    if (problem.isPacked) return problem.packing->wake(problem);
     const std::size_t before = problem.awake.size();
     std::vector<std::uint32_t> awake;
     std::size_t next = 0;

@@ -18,6 +18,8 @@
 namespace nscd
 {
 
+class PackedContacts;
+
 /// Bodies carry velocities that already contain the impulses in the blocks: v = v_free + M^-1 H r.
 /// A solver changes r and v together and keeps that relation.
 struct ContactProblem
@@ -45,6 +47,12 @@ struct ContactProblem
     std::size_t firstBlock = 0;
     /// Contacts of clumps, in blocks behind all others; none in scenes without.
     ClumpList* clumps = nullptr;
+    /// Room in which a solver may pack contacts, or none; in a packed problem, what holds the contacts that are not.
+    PackedContacts* packing = nullptr;
+    bool isPacked = false;
+    /// What the next sweep moves the impulses of the active blocks on by (see MomentumSweepFunction); velocities have been moved already.
+    double* before = nullptr;   ///< none: by nothing
+    double theta = 0.0;
 
     /// Whether most grains move: what a solve leaves is then soon forgotten, where in a bed that comes to rest it decides on how.
     bool isFlowing() const { return motion >= 0.5; }
@@ -59,8 +67,8 @@ struct ContactProblem
     BlockRange activeClumps() const;
 };
 
-/// One pass over blocks that changes impulses and velocities in place, on this rank alone.
-DefectSums sweepBlocks(ContactProblem& problem, BlockRange range);
+/// One pass over blocks that changes impulses and velocities in place, on this rank alone; with momentum where there is what impulses were `before`.
+DefectSums sweepBlocks(ContactProblem& problem, BlockRange range, double* before = nullptr);
 
 /// Sweeps over the inner active blocks of all ranks side by side, then over those between ranks. Returns sums over all ranks.
 DefectSums sweepActive(ContactProblem& problem);
@@ -101,6 +109,8 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
 /// Rolling and spinning friction add their own (rollingFriction.hpp) to the sum, and to the maximum as contacts of their own.
 /// Where n ranks move a body, W is taken n times, which can only make e larger.
 DefectSums residual(ContactProblem& problem);
+/// The same of the active blocks alone, which is less.
+DefectSums residualOfActive(ContactProblem& problem);
 
 /// Wakes sleeping blocks in which a contact should carry an impulse at the present velocities. Returns whether there were any, on any rank.
 bool wakeBlocks(ContactProblem& problem);

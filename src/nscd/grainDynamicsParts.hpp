@@ -12,6 +12,7 @@
 #include "contactStep.hpp"
 #include "grainDynamics.hpp"
 #include "movingWalls.hpp"
+#include "packedContacts.hpp"
 #include "shockWork.hpp"
 #include "storedImpulses.hpp"
 
@@ -51,6 +52,7 @@ struct GrainDynamics::Implementation
     AwakePart awakePart;          // holds the list of all while grains sleep
     double overlapAsleep = 0.0;   // largest of contacts when grains fell asleep last [m]
     CapGuard capGuard;
+    PackedContacts packing;
     StepReport lastReport;
     bool isStepBegun = false;
     ImpulseRecord beforeStep;     // kept where there is cohesion
@@ -64,7 +66,7 @@ struct GrainDynamics::Implementation
         {
             list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernelsOfStep, isFrictional, deltaT, speedScale, diameter,
             list.position, 1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio,
-            0, list.clumps.empty() ? nullptr : &list.clumps
+            0, list.clumps.empty() ? nullptr : &list.clumps, &packing
         };
     }
     /// Blocks that may carry impulses.

@@ -173,6 +173,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     lastDeltaT = self.impulseDeltaT;
     self.wakeAll();
     self.capGuard.reset();
+    self.packing.note(0);
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
     self.stepsPerList = fewestStepsPerList;
@@ -194,6 +195,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.impulseDeltaT = lastDeltaT;
     self.wakeAll();
     self.capGuard.reset();
+    self.packing.note(0);
     self.list = ContactList();
     self.stepsPerList = fewestStepsPerList;
     self.isListStale = true;

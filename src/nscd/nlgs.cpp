@@ -4,6 +4,7 @@
 // Nonlinear Gauss-Seidel (Algorithm 2 of the method): sweeps over all contacts, warm started, with help when slow.
 #include "directHelp.hpp"
 #include "loneDefects.hpp"
+#include "packedContacts.hpp"
 #include "slowSolve.hpp"
 #include "sweepLoop.hpp"
 
@@ -58,13 +59,28 @@ private:
     DirectHelp direct_;
 };
 
+SolveReport sweepWithHelp(ContactProblem& problem, const ContactSettings& settings)
+{
+    NlgsHelp help(problem, settings);
+    return sweepUntilMet(problem, settings, sweepActive, help);
+}
+
 } // namespace
 
 SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings)
 {
     if (!problem.halo.any(!problem.blocks.empty())) return SolveReport();
-    NlgsHelp help(problem, settings);
-    return sweepUntilMet(problem, settings, sweepActive, help);
+    if (!problem.packing) return sweepWithHelp(problem, settings);
+    SolveReport report;
+    if (problem.packing->isWorthwhile(problem))
+    {
+        ContactProblem packed = problem.packing->pack(problem);
+        report = sweepWithHelp(packed, settings);
+        problem.packing->giveBack(problem);
+    }
+    else report = sweepWithHelp(problem, settings);
+    problem.packing->note(report.sweeps);
+    return report;
 }
 
 } // namespace nscd

@@ -97,17 +97,17 @@ struct Discs
     }
 };
 
-template<class V, class Local, bool isUpdate>
-DefectSums passOverBlocks(Body* bodies, ContactBlock* blocks, BlockRange range)
+/// `prepare` is called with each block and its number before the block is solved.
+template<class V, class Local, bool isUpdate, class Prepare>
+inline DefectSums passOver(Body* bodies, ContactBlock* blocks, BlockRange range, const Prepare& prepare)
 {
     typename V::Real sum2 = V::zero(), max2 = V::zero(), active = V::zero();
     for (std::size_t k = 0; k < range.count; ++k)
     {
         prefetch(bodies, blocks, range, k);
-        for (int first = 0; first < blockLanes; first += V::lanes)
-        {
-            Local::template solve<V, isUpdate>(bodies, blocks[range[k]], first, sum2, max2, active);
-        }
+        ContactBlock& block = blocks[range[k]];
+        prepare(block, k);
+        for (int first = 0; first < blockLanes; first += V::lanes) Local::template solve<V, isUpdate>(bodies, block, first, sum2, max2, active);
     }
     double sums[V::lanes], maxima[V::lanes], counts[V::lanes];
     V::store(sums, sum2);
@@ -121,6 +121,19 @@ DefectSums passOverBlocks(Body* bodies, ContactBlock* blocks, BlockRange range)
         if (!(maxima[l] <= total.maxSquare)) total.maxSquare = maxima[l];
     }
     return total;
+}
+
+template<class V, class Local, bool isUpdate>
+DefectSums passOverBlocks(Body* bodies, ContactBlock* blocks, BlockRange range)
+{
+    return passOver<V, Local, isUpdate>(bodies, blocks, range, [](ContactBlock&, std::size_t) {});
+}
+
+template<class V, class Local>
+DefectSums sweepOn(Body* bodies, ContactBlock* blocks, BlockRange range, double* before, double theta)
+{
+    const Lanes share = Lanes{} + theta;
+    return passOver<V, Local, true>(bodies, blocks, range, [=](ContactBlock& block, std::size_t k) { extrapolateBlock(block, before + 3*k*blockLanes, share); });
 }
 
 template<class V, bool isFrictional>
@@ -159,9 +172,10 @@ template<class V>
 constexpr SweepKernels makeKernels(const char* name)
 {
     return {name, V::lanes, passOverBlocks<V, Spheres<true>, true>, passOverBlocks<V, Spheres<false>, true>,
-            passOverBlocks<V, Spheres<true>, false>, passOverBlocks<V, Spheres<false>, false>, replaceImpulses<V, true>,
+            sweepOn<V, Spheres<true>>, sweepOn<V, Spheres<false>>, passOverBlocks<V, Spheres<true>, false>, passOverBlocks<V, Spheres<false>, false>, replaceImpulses<V, true>,
             replaceImpulses<V, false>, addDifferences, extrapolateImpulses, extrapolateBodies, setLaws<V>, startWarm<V, true>, startWarm<V, false>,
             {passOverBlocks<V, Discs<0>, true>, passOverBlocks<V, Discs<1>, true>, passOverBlocks<V, Discs<2>, true>},
+            {sweepOn<V, Discs<0>>, sweepOn<V, Discs<1>>, sweepOn<V, Discs<2>>},
             {passOverBlocks<V, Discs<0>, false>, passOverBlocks<V, Discs<1>, false>, passOverBlocks<V, Discs<2>, false>}};
 }
 

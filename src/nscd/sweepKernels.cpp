@@ -47,6 +47,7 @@ SweepKernels chooseKernels(const char* vectorPath)
 SweepKernels normalOnly(SweepKernels kernels)
 {
     kernels.sweep = kernels.sweepFrictionless;
+    kernels.sweepOn = kernels.sweepOnFrictionless;
     kernels.evaluate = kernels.evaluateFrictionless;
     kernels.replaceImpulses = kernels.replaceFrictionless;
     kernels.startWarm = kernels.startWarmFrictionless;
@@ -56,6 +57,7 @@ SweepKernels normalOnly(SweepKernels kernels)
 SweepKernels planar(SweepKernels kernels, int axis)
 {
     kernels.sweep = kernels.sweepDiscs[axis];
+    kernels.sweepOn = kernels.sweepOnDiscs[axis];
     kernels.evaluate = kernels.evaluateDiscs[axis];
     return kernels;
 }

@@ -13,11 +13,14 @@ namespace nscd
 {
 
 /// Whether sleeping contacts are looked at after this sweep: often at first, when velocities change most. In flows less often: each
-/// that wakes ends the history that momentum lives on (a collapse took 96 sweeps a step in place of 81).
-inline bool isWakingDue(int sweeps, bool isFlowing)
+/// that wakes ends the history that momentum lives on (a collapse took 96 sweeps a step in place of 81), unless the problem is packed.
+inline bool isWakingDue(int sweeps, const ContactProblem& problem)
 {
     const bool isPowerOfTwo = (sweeps & (sweeps - 1)) == 0, isPowerOfFour = isPowerOfTwo && sweeps % 3 == 1;
-    return sweeps % 64 == 0 || (isFlowing ? isPowerOfFour : isPowerOfTwo);
+    if (sweeps % 64 == 0) return true;
+    // 588 000 visits of blocks in a collapse; after 1, 4, 8, 16, 24, 32 sweeps 608 000, after 8 and 24 615 000.
+    if (problem.isPacked) return isPowerOfTwo && sweeps >= 8;
+    return problem.isFlowing() ? isPowerOfFour : isPowerOfTwo;
 }
 
 /// When what a sweep leaves may meet the rule already though what it met does not. A look at that costs most of a sweep.
@@ -65,10 +68,10 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
         if (++report.sweeps == 1) rule = makeStopRule(problem, settings, sums);
         const bool isMet = rule.isMet(sums);
         DefectSums left = sums;
-        if (problem.isFlowing() && looks.areDue(report.sweeps, sums, rule)) looks.note(sums, left = residual(problem));
+        if (problem.isFlowing() && looks.areDue(report.sweeps, sums, rule)) looks.note(sums, left = residualOfActive(problem));
         if (isMet && polishing < settings.polishSweeps && !help.polish(sums, rule)) ++polishing;
         else if (rule.isMet(left) && isSolved()) return report;
-        if ((isMet || isWakingDue(report.sweeps, problem.isFlowing())) && wakeBlocks(problem)) help.forget();
+        if ((rule.isMet(left) || isMet || isWakingDue(report.sweeps, problem)) && wakeBlocks(problem)) help.forget();
         const int work = help.afterSweep(report.sweeps, left, rule);
         report.sweeps += work;
         if (work > 0 && problem.isFlowing() && rule.isMet(residual(problem)) && isSolved()) return report;

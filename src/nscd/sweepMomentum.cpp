@@ -96,9 +96,16 @@ void SweepMomentum::extrapolate(double theta)
 {
     if (!isLinear()) return extrapolateImpulsesAlone(theta);
     const SweepKernels& kernels = problem_.kernels;
-    kernels.extrapolate(problem_.blocks.data(), problem_.active(), image_.data(), theta);
     kernels.extrapolateBodies(problem_.bodies.data(), bodies_.data(), bodies_.size(), theta);
-    if (kind_ == Kind::falling) gatherImpulses(problem_.blocks, problem_.active(), start_);
+    if (kind_ == Kind::flowing)
+    {
+        // The sweep that follows comes by all blocks anyway.
+        problem_.before = image_.data();
+        problem_.theta = theta;
+        return;
+    }
+    kernels.extrapolate(problem_.blocks.data(), problem_.active(), image_.data(), theta);
+    gatherImpulses(problem_.blocks, problem_.active(), start_);
 }
 
 /// Where impulses are not all that moves bodies (moments of rolling friction, clumps): velocities follow the impulses, projected on their cones.
@@ -115,6 +122,13 @@ void SweepMomentum::advance(bool isNear)
     if (hasImage_) return extrapolate(nextTheta(isNear));
     keepImage();
     start_ = image_;
+}
+
+void SweepMomentum::grow()
+{
+    const std::size_t numbers = blockSize*problem_.active().count;
+    if (!image_.empty()) image_.resize(numbers, 0.0);
+    if (!start_.empty()) start_.resize(numbers, 0.0);
 }
 
 void SweepMomentum::revert()

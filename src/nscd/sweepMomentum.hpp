@@ -25,7 +25,7 @@ public:
     /// For the active blocks of a problem, which must stay as they are until forget(); of all ranks.
     SweepMomentum(ContactProblem& problem, Kind kind);
 
-    /// Turns what a sweep has led to, r_k, into the next y. `isNear`: whether the solution is near.
+    /// Turns what a sweep has led to, r_k, into the next y, in flows once the next sweep comes by. `isNear`: whether the solution is near.
     void advance(bool isNear = false);
 
     /// Back to r_k.
@@ -33,6 +33,9 @@ public:
 
     /// Drops r_{k-1}, and with it the direction, not the pace.
     void forget() { hasImage_ = false; }
+
+    /// Takes in active blocks that have come behind the others, and carry nothing.
+    void grow();
 
 private:
     bool isLinear() const { return !problem_.rolling && !problem_.clumps; }

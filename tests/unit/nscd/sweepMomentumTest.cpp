@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <stdexcept>
+
 using namespace scenes;
 
 namespace
@@ -30,12 +33,21 @@ void setVelocities(Column& column)
     }
 }
 
+/// What the next sweep begins with.
+void moveImpulsesOn(nscd::ContactProblem& problem)
+{
+    if (!problem.before) return;
+    problem.kernels.extrapolate(problem.blocks.data(), problem.active(), problem.before, problem.theta);
+    problem.before = nullptr;
+}
+
 /// Sets the impulse of the only contact, as a sweep would, and lets momentum act. Returns y.
-double advanceFrom(double impulse, Column& column, nscd::SweepMomentum& momentum, bool isNear = false)
+double advanceFrom(double impulse, Column& column, nscd::ContactProblem& problem, nscd::SweepMomentum& momentum, bool isNear = false)
 {
     column.blocks[0].r[2][0] = impulse;
     setVelocities(column);
     momentum.advance(isNear);
+    moveImpulsesOn(problem);
     EXPECT_NEAR(column.bodies[0].v[2], -1.0 + column.blocks[0].r[2][0], 1e-13);
     return column.blocks[0].r[2][0];
 }
@@ -49,14 +61,14 @@ TEST(SweepMomentum, followsNesterovUntilAStepGoesUphill)
     Column column(1, Vec3::UnitZ());
     nscd::ContactProblem problem = column.problem();
     nscd::SweepMomentum momentum(problem, falling);
-    EXPECT_EQ(advanceFrom(1.0, column, momentum), 1.0);
+    EXPECT_EQ(advanceFrom(1.0, column, problem, momentum), 1.0);
     double r = 1.0, t = 1.0, y = 1.0;
     for (int k = 0; k < 8; ++k)
     {
         const double before = r;
         r = y + 0.5;
         const double expected = r + nextTheta(t)*(r - before);
-        y = advanceFrom(r, column, momentum);
+        y = advanceFrom(r, column, problem, momentum);
         EXPECT_NEAR(y, expected, 1e-14);
     }
     // The sweep turns back, though not behind the last image: no momentum for once, then from the start again.
@@ -64,9 +76,9 @@ TEST(SweepMomentum, followsNesterovUntilAStepGoesUphill)
     r = y - 0.01;
     ASSERT_GT(r, before);
     t = 1.0;
-    EXPECT_NEAR(advanceFrom(r, column, momentum), r, 1e-14);
+    EXPECT_NEAR(advanceFrom(r, column, problem, momentum), r, 1e-14);
     nextTheta(t);
-    EXPECT_NEAR(advanceFrom(r + 1.0, column, momentum), r + 1.0 + nextTheta(t), 1e-14);
+    EXPECT_NEAR(advanceFrom(r + 1.0, column, problem, momentum), r + 1.0 + nextTheta(t), 1e-14);
 }
 
 TEST(SweepMomentum, isLimitedByTheDepthAlongTheFall)
@@ -99,11 +111,43 @@ TEST(SweepMomentum, isSteadyInAFlowAndTakenBackToTheBit)
     nscd::ContactProblem problem = column.problem();
     nscd::SweepMomentum momentum(problem, flowing);
     momentum.advance();
-    EXPECT_NEAR(advanceFrom(1.0, column, momentum), 1.0 + 0.9*1.0, 1e-14);
-    EXPECT_NEAR(advanceFrom(1.7, column, momentum, true), 1.7 + 0.8*0.7, 1e-14);
+    EXPECT_NEAR(advanceFrom(1.0, column, problem, momentum), 1.0 + 0.9*1.0, 1e-14);
+    EXPECT_NEAR(advanceFrom(1.7, column, problem, momentum, true), 1.7 + 0.8*0.7, 1e-14);
     momentum.revert();
     EXPECT_EQ(column.blocks[0].r[2][0], 1.7);
     EXPECT_EQ(column.bodies[0].v[2], -1.0 + 1.7);
+}
+
+/// A sweep that moves impulses on does what moving them on and sweeping does, whatever the kernel.
+TEST(SweepMomentum, ofASweepIsThatBeforeIt)
+{
+    for (const char* name : {"portable", "AVX2", "AVX512"})
+    for (int kind = 0; kind < 5; ++kind)   // spheres, smooth ones, discs
+    {
+        nscd::SweepKernels kernels{};
+        try { kernels = nscd::chooseKernels(name); }
+        catch (const std::invalid_argument&) { continue; }
+        Column one(7, Vec3(0.6, 0, 0.8)), other(7, Vec3(0.6, 0, 0.8));
+        std::vector<double> before, alike;
+        for (Column* column : {&one, &other})
+        {
+            for (int k = 0; k < 7; ++k)
+            for (int m = 0; m < 3; ++m) column->blocks[k].r[m][0] = 0.1*(k + 1)*(m + 1);
+        }
+        for (int k = 0; k < 7*3*nscd::blockLanes; ++k) before.push_back(0.01*k);
+        alike = before;
+        const nscd::SweepFunction sweeps[] = {kernels.sweep, kernels.sweepFrictionless, kernels.sweepDiscs[0], kernels.sweepDiscs[1], kernels.sweepDiscs[2]};
+        const nscd::MomentumSweepFunction sweepsOn[] =
+            {kernels.sweepOn, kernels.sweepOnFrictionless, kernels.sweepOnDiscs[0], kernels.sweepOnDiscs[1], kernels.sweepOnDiscs[2]};
+        const nscd::BlockRange all{nullptr, 7};
+        kernels.extrapolate(one.blocks.data(), all, before.data(), 0.7);
+        const nscd::DefectSums met = sweeps[kind](one.bodies.data(), one.blocks.data(), all);
+        const nscd::DefectSums metToo = sweepsOn[kind](other.bodies.data(), other.blocks.data(), all, alike.data(), 0.7);
+        EXPECT_EQ(met.sumSquares, metToo.sumSquares) << name << ' ' << kind;
+        EXPECT_EQ(before, alike) << name << ' ' << kind;
+        EXPECT_EQ(std::memcmp(one.blocks.data(), other.blocks.data(), 7*sizeof(nscd::ContactBlock)), 0) << name << ' ' << kind;
+        EXPECT_EQ(std::memcmp(one.bodies.data(), other.bodies.data(), 8*sizeof(nscd::Body)), 0) << name << ' ' << kind;
+    }
 }
 
 // Plain sweeps take ln(1e4) (2 N + 1)^2/pi^2 = 13 700 for it.
