@@ -26,8 +26,23 @@ constexpr std::array<double, 2> nearShares = {0.02, 0.1};
 /// lower one where the sum of the two is even, so that each rank gets about half of its neighbors.
 bool isSolvedHere(int here, int other) { return ((here + other) % 2 == 0) == (here < other); }
 
+/// A place in the box, and those where a body that may move by `reach` comes in again across a periodic side.
+std::vector<Vec3> placesOf(const Vec3& x, double reach, const PeriodicBox& box)
+{
+    std::vector<Vec3> places = {x};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (!box.isPeriodic(axis)) continue;
+        const double shift = x[axis] - reach < box.lower[axis] ? box.length[axis]
+                           : x[axis] + reach >= box.lower[axis] + box.length[axis] ? -box.length[axis] : 0.0;
+        if (shift == 0.0) continue;
+        for (std::size_t k = 0, before = places.size(); k < before; ++k) places.push_back(places[k] + shift*Vec3::Unit(axis));
+    }
+    return places;
+}
+
 /// Walls near each body, as candidates that follow the body's pairs.
-std::vector<Candidate> findWalls(const ContactList& list, const std::vector<double>& reach, const WallSearch& search)
+std::vector<Candidate> findWalls(const ContactList& list, const std::vector<double>& reach, const WallSearch& search, const PeriodicBox& box)
 {
     std::vector<Candidate> found;
     std::vector<double> patchReach;
@@ -37,7 +52,13 @@ std::vector<Candidate> findWalls(const ContactList& list, const std::vector<doub
     {
         if (list.inverseMass[body] == 0.0) continue;
         regions.clear();
-        search.find(list.position[body], list.radius[body] + reach[body], regions, patchReach);
+        const std::vector<Vec3> places = placesOf(list.position[body], reach[body], box);
+        for (const Vec3& place : places) search.find(place, list.radius[body] + reach[body], regions, patchReach);
+        if (places.size() > 1)
+        {
+            std::sort(regions.begin(), regions.end());
+            regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+        }
         for (int region : regions) found.push_back({body, -1, region, {0, 0, 0}});
     }
     return found;
@@ -115,7 +136,7 @@ Candidates findCandidates
     const bool arePathsKnown = !list.path.empty();
     const SearchSpheres spheres = arePathsKnown ? spheresOnPaths(list, scene.box, range) : spheresAtBodies(list, reach);
     const std::vector<BodyPair>& pairs = list.search.find(spheres.center, spheres.size, scene.box, largest);
-    const std::vector<Candidate> walls = findWalls(list, reach, wallSearch);
+    const std::vector<Candidate> walls = findWalls(list, reach, wallSearch, scene.box);
 
     Candidates found;
     found.inner.reserve(pairs.size() + walls.size());

@@ -127,7 +127,7 @@ bool flatten(Vec3& n, int axis)
 
 void updateWall(ContactList& list, const Scene& scene, std::size_t slot, int a)
 {
-    const WallProximity near = nearestPoint(scene.walls, list.wall[slot], list.position[a]);
+    const WallProximity near = nearestPoint(scene.walls, list.wall[slot], scene.box.wrap(list.position[a]));
     const bool isBehind = near.isInside && near.distance < backSide*list.radius[a];
     Vec3 n = near.normal;
     const bool isFacing = scene.grains.shape.emptyAxis < 0 || flatten(n, scene.grains.shape.emptyAxis);

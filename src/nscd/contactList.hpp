@@ -43,7 +43,7 @@ struct ContactList
     double age = 0.0;                       ///< time that bodies have moved since the list was built [s]
 
     // Per own body, ghost and copy.
-    std::vector<Vec3> position;             ///< not wrapped since the list was built [m]
+    std::vector<Vec3> position;             ///< not wrapped since the list was built; walls know only wrapped ones [m]
     std::vector<double> radius;
     std::vector<double> inverseMass;        ///< 0 where held; without drag, and not split among ranks [1/kg]
     std::vector<std::int64_t> id;

@@ -114,7 +114,7 @@ void addWallForce(const ContactList& list, const Scene& scene, std::size_t slot,
 {
     const std::size_t patch = scene.walls.regions[list.wall[slot]].patch;
     const int a = list.blocks[slot/blockLanes].a[slot % blockLanes];
-    const Vec3 point = list.position[a] - (list.radius[a] + list.gap[slot])*normal(list, slot);
+    const Vec3 point = scene.box.wrap(list.position[a]) - (list.radius[a] + list.gap[slot])*normal(list, slot);
     wall[patch] -= onGrain;
     wall[scene.walls.patches.size() + patch] -= (point - scene.walls.patches[patch].torquePoint).cross(onGrain);
 }

@@ -14,7 +14,7 @@ namespace
 /// As solveLanes() where nothing moves along `axis` e, and n and r have no component along it. The plane's axes p, q follow e, so that t = e x n =
 /// (-n_q, n_p) and u_t = t.v - s: p_t = max(-mu p_n, min(mu p_n, r_t - u_t/W_tt)), without a root. Spins change by -(p_t - r_t)/(kappa m).
 template<class V, int axis, bool isUpdate>
-inline void solveDiscLanes(Body* bodies, ContactBlock& block, int first, typename V::Real& sum2, typename V::Real& max2, typename V::Real& active)
+__attribute__((always_inline)) inline void solveDiscLanes(Body* bodies, ContactBlock& block, int first, typename V::Real& sum2, typename V::Real& max2, typename V::Real& active)
 {
     using Real = typename V::Real;
     constexpr int p = (axis + 1) % 3, q = (axis + 2) % 3;

@@ -159,7 +159,7 @@ void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
     const Stopwatch watch(times.buildContacts);
     setFreeVelocities(list, grains, external, deltaT, sleep);
     if (!list.clumps.empty()) setFreeClumps(list, grains, external, deltaT);
-    movingWalls.setVelocities(list, grains.shape.emptyAxis);
+    movingWalls.setVelocities(list, box, grains.shape.emptyAxis);
     if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
     chooseKernelsOfStep();
     prepareSlots(list, kernelsOfStep, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);

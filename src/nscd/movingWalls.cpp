@@ -105,7 +105,7 @@ std::vector<Vec3> MovingWalls::spins(int emptyAxis) const
     return spins;
 }
 
-void MovingWalls::setVelocities(ContactList& list, int emptyAxis) const
+void MovingWalls::setVelocities(ContactList& list, const PeriodicBox& box, int emptyAxis) const
 {
     const std::vector<Vec3> omega = list.rolling.empty() ? std::vector<Vec3>() : spins(emptyAxis);
     for (std::size_t k = 0; k < list.movingSlots.size(); ++k)
@@ -117,7 +117,7 @@ void MovingWalls::setVelocities(ContactList& list, int emptyAxis) const
         if (distance < std::numeric_limits<double>::max())
         {
             const Vec3 n = normal(list, slot);
-            v = velocity(patch, list.position[grain] - distance*n, n);
+            v = velocity(patch, box.wrap(list.position[grain]) - distance*n, n);
             if (emptyAxis >= 0) v[emptyAxis] = 0.0;
             if (!omega.empty()) s = list.radius[grain]*omega[patch];
             v -= s.cross(n);

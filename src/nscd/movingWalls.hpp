@@ -33,7 +33,7 @@ public:
 
     /// Sets the velocities of the list's bodies at walls, none along `emptyAxis` if that is not -1. For rolling friction such a body is
     /// as large as the grain and turns with the wall, in 2D about the empty axis alone; its surface has the wall's velocity.
-    void setVelocities(ContactList& list, int emptyAxis) const;
+    void setVelocities(ContactList& list, const PeriodicBox& box, int emptyAxis) const;
 
     /// How far each patch may go before a list made now is stale: this step and another, and a margin.
     std::vector<WallReach> reach

@@ -39,13 +39,14 @@ double farthestVertex2(const WallRegion& region, const Vec3& point)
     return farthest2;
 }
 
-Foot footOf(const ContactList& list, const Walls& walls, int slot, int body)
+Foot footOf(const ContactList& list, const Scene& scene, int slot, int body)
 {
+    const Walls& walls = scene.walls;
     const WallRegion& region = walls.regions[list.wall[slot]];
     const WallPatch& patch = walls.patches[region.patch];
     const Vec3 n = normal(list, slot);
     Foot foot{slot, list.wall[slot], Vec3::Zero(), region.normal, list.gap[slot] + list.radius[body], 0.0, false};
-    foot.point = list.position[body] - foot.distance*n;
+    foot.point = scene.box.wrap(list.position[body]) - foot.distance*n;
     if (patch.motion)
     {
         foot.faceNormal = patch.pose.linear()*region.normal;
@@ -93,7 +94,7 @@ void suppressGhosts(ContactList& list, const Scene& scene)
         feet.clear();
         for (int k = first; k < last; ++k)
         {
-            if (list.gap[list.wallSlots[k]] < noContact) feet.push_back(footOf(list, scene.walls, list.wallSlots[k], body));
+            if (list.gap[list.wallSlots[k]] < noContact) feet.push_back(footOf(list, scene, list.wallSlots[k], body));
         }
         for (const Foot& foot : feet)
         {

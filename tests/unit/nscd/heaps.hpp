@@ -39,10 +39,9 @@ inline Scene heap(int dimensions, int perSide, int layers, double radius, double
     return scene;
 }
 
-/// One step in a viscous medium: nothing else stops a grain that rolls, or spins on its contact.
-inline nscd::StepReport stepDamped(nscd::GrainDynamics& dynamics, const Vec3& g, double deltaT)
+/// One step in a viscous medium of so much drag [1/s]: nothing else stops a grain that rolls, or spins on its contact.
+inline nscd::StepReport stepDamped(nscd::GrainDynamics& dynamics, const Vec3& g, double deltaT, double rate = 30.0)
 {
-    constexpr double rate = 30.0;  // 1/s
     nscd::ExternalForces forces = weight(dynamics.grains(), g, deltaT);
     const double kappa = dynamics.grains().shape.inertiaFactor();
     for (std::size_t i = 0; i < dynamics.grains().size(); ++i)

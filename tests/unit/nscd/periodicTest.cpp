@@ -72,6 +72,34 @@ TEST(Periodic, weightAndSidewaysMomentumAreKept)
     }
 }
 
+/// A floor that ends at the periodic sides goes on across them, also for a grain that crosses one by a diameter before its list is built anew.
+TEST(Periodic, aFiniteWallGoesOnAcrossTheBorder)
+{
+    const double length = 20*radius;
+    Scene scene(3, 0.0, 0.0);
+    const auto at = [=](double x, double y) { return Vec3(x*length, y*length, 0); };
+    std::vector<nscd::Triangle> floor;
+    for (int half : {0, 1})
+    {
+        const double y = 0.5*half, next = y + 0.5;
+        floor.push_back({at(-1, y), at(30, y), at(30, next)});
+        floor.push_back({at(-1, y), at(30, next), at(-1, next)});
+    }
+    scene.walls.addTriangles(scene.walls.addPatch("floor", 1), floor);
+    scene.box.length = Vec3(0, length, 0);
+    for (int direction : {1, -1})
+    {
+        scene.addGrain(Vec3(5*radius*direction + 6*radius, 7*radius, radius), radius);
+        scene.grains.velocity.back() = Vec3(0.3, direction*0.6*radius/deltaT, 0);
+    }
+    auto dynamics = scene.build(nscd::ContactSettings());
+    for (int k = 0; k < 300; ++k)
+    {
+        step(dynamics, scene.g, deltaT);
+        for (const Vec3& x : dynamics.grains().position) ASSERT_NEAR(x.z(), radius, 1e-6*radius) << k;
+    }
+}
+
 TEST(Periodic, aPairTouchesThroughTheBorder)
 {
     Scene scene(3, 0.0, 1.0);

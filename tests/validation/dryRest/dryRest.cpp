@@ -21,11 +21,12 @@ nscd::ContactSettings awake()
 
 constexpr double radius = 0.01, deltaT = 1e-3;
 
-/// Lets the grains land, and a viscous medium stop the last ones that roll: those in shallow hollows creep there for thousands of steps.
+/// Lets the grains land, and a viscous medium stop the last ones that roll. One in a shallow hollow swings with a period of seconds: in a medium that
+/// stops others sooner (30/s) it creeps there for tens of thousands of steps.
 void comeToRest(const Scene& scene, nscd::GrainDynamics& dynamics)
 {
     for (int k = 0; k < 1000; ++k) step(dynamics, scene.g, deltaT);
-    for (int k = 0; k < 6000; ++k) stepDamped(dynamics, scene.g, deltaT);
+    for (int k = 0; k < 20000; ++k) stepDamped(dynamics, scene.g, deltaT, 2.0);
 }
 
 /// What the steps of a run at rest are judged by.
