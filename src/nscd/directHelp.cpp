@@ -75,10 +75,12 @@ void DirectHelp::checkHeavyBodies(SolveReport& report, const StopRule& rule)
     else report.hiddenMassRatio = ratio;
 }
 
-void DirectHelp::complete(SolveReport& report, const StopRule& rule)
+bool DirectHelp::complete(SolveReport& report, const StopRule& rule)
 {
+    const bool wasDone = isDone_;
     checkHeavyBodies(report, rule);
     report.newtonSteps = newtonSteps_;
+    return isDone_ && !wasDone;
 }
 
 namespace

@@ -28,7 +28,8 @@ public:
     void solve(const StopRule& rule);
 
     /// To be called with a solution that is about to be returned: makes the forces under heavy bodies right, or reports that they may not be.
-    void complete(SolveReport& report, const StopRule& rule);
+    /// Returns whether it changed the solution.
+    bool complete(SolveReport& report, const StopRule& rule);
 
 private:
     double priceLimit() const;

@@ -35,7 +35,7 @@ public:
         if (isDirect)
         {
             direct_.solve(rule);
-            forget();
+            slowSolve_.forget();
         }
         return work;
     }
@@ -47,8 +47,12 @@ public:
         return false;
     }
 
-    void forget() { slowSolve_.forget(); }
-    void complete(SolveReport& report, const StopRule& rule) { direct_.complete(report, rule); }
+    void forget() { slowSolve_.wake(); }
+
+    void complete(SolveReport& report, const StopRule& rule)
+    {
+        if (direct_.complete(report, rule)) slowSolve_.forget();
+    }
 
 private:
     ContactProblem& problem_;

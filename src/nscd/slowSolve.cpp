@@ -122,9 +122,15 @@ void SlowSolve::makeMixing()
 void SlowSolve::forget()
 {
     queue_.reset();
+    if (anderson_ || momentum_) makeMixing();
+}
+
+void SlowSolve::wake()
+{
+    if (!momentum_ || !problem_.isPacked) return forget();
     // Contacts that a packed problem gains stand behind the others, and have carried nothing so far.
-    if (momentum_ && problem_.isPacked) momentum_->grow();
-    else if (anderson_ || momentum_) makeMixing();
+    queue_.reset();
+    momentum_->grow();
 }
 
 void SlowSolve::forgetDirections()

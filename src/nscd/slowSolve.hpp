@@ -26,8 +26,10 @@ public:
     /// `sums`: defects that the sweep met, or those that it left, where these were looked at. Returns the work done beside sweeps, in sweeps.
     int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule);
 
-    /// To be called when blocks woke up: what was collected about the others is of no use.
+    /// To be called when something else changed the solution: what was collected about it is of no use.
     void forget();
+    /// To be called when blocks woke up.
+    void wake();
 
 private:
     bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const;
