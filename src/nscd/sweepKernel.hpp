@@ -81,7 +81,7 @@ template<bool isFrictional>
 struct Spheres
 {
     template<class V, bool isUpdate, class Real>
-    static void solve(Body* bodies, ContactBlock& block, int first, Real& sum2, Real& max2, Real& active)
+    __attribute__((always_inline)) static void solve(Body* bodies, ContactBlock& block, int first, Real& sum2, Real& max2, Real& active)
     {
         solveLanes<V, isFrictional, isUpdate>(bodies, block, first, sum2, max2, active);
     }
@@ -91,7 +91,7 @@ template<int axis>
 struct Discs
 {
     template<class V, bool isUpdate, class Real>
-    static void solve(Body* bodies, ContactBlock& block, int first, Real& sum2, Real& max2, Real& active)
+    __attribute__((always_inline)) static void solve(Body* bodies, ContactBlock& block, int first, Real& sum2, Real& max2, Real& active)
     {
         solveDiscLanes<V, axis, isUpdate>(bodies, block, first, sum2, max2, active);
     }
