@@ -39,6 +39,14 @@ private:
 
 } // namespace
 
+ContactBlock emptyBlock(int staticBody)
+{
+    ContactBlock block{};
+    std::fill(block.a, block.a + blockLanes, staticBody);
+    std::fill(block.b, block.b + blockLanes, staticBody);
+    return block;
+}
+
 Batches batchContacts(const std::vector<Candidate>& candidates, const std::vector<std::uint32_t>& order, int staticBody)
 {
     Batches batches;

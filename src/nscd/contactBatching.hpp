@@ -28,6 +28,9 @@ struct Batches
     std::vector<std::uint32_t> slotOf;   ///< slot of each candidate
 };
 
+/// A block whose lanes all join the static body to itself.
+ContactBlock emptyBlock(int staticBody);
+
 /// Greedy within windows of 512 candidates, so that the spatial order, and with it convergence and cache use, stays. `order`: the
 /// candidates in the order they are packed.
 /// Ensures: no body but the static one appears twice in a block; every candidate has one slot

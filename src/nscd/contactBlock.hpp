@@ -37,6 +37,9 @@ struct alignas(64) ContactBlock
     std::int32_t b[blockLanes];
 };
 
+/// A bias that no velocity reaches: keeps far contacts out without an infinity [m/s].
+constexpr double unreachable = 1e30;
+
 /// Velocity defects of one pass over the contacts, e = W (p - Proj(p - u/W)) [m/s].
 struct DefectSums
 {

@@ -37,9 +37,6 @@ void fetchAhead(const ContactList& list, int body, const Arrays&... ofGrains)
     (__builtin_prefetch(&ofGrains[i]), ...);
 }
 
-/// A bias that no velocity reaches: keeps far candidates out without an infinity.
-constexpr double unreachable = 1e30;
-
 void setBody(Body& body, const Vec3& v, double invMass, const Vec3& s, double invSpin)
 {
     for (int k = 0; k < 3; ++k)

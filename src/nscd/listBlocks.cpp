@@ -81,10 +81,7 @@ void appendBlocks
 )
 {
     const std::size_t before = list.slots(), slots = before + batches.blocks*blockLanes;
-    ContactBlock empty{};
-    std::fill(empty.a, empty.a + blockLanes, list.staticBody());
-    std::fill(empty.b, empty.b + blockLanes, list.staticBody());
-    list.blocks.resize(list.blocks.size() + batches.blocks, empty);
+    list.blocks.resize(list.blocks.size() + batches.blocks, emptyBlock(list.staticBody()));
     list.gap.resize(slots, 0.0);
     list.wall.resize(slots, -1);
     list.image.resize(slots, {0, 0, 0});

@@ -156,7 +156,7 @@ int correctOverlaps(ContactList& list, const Scene& scene, double deepest, doubl
     std::vector<Push> between = collectPushes(list, interface, list.slots(), deepest, target);
     const double negligibleChange = exactness*tolerance;
     double change = 0.0;
-    bool isWhole = true;
+    bool isWhole = false;
     do
     {
         ++shifts.sweep;

@@ -49,10 +49,7 @@ struct Grid
         std::vector<std::uint32_t> order(contacts.size());
         for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<std::uint32_t>(k);
         const nscd::Batches batches = nscd::batchContacts(contacts, order, staticBody);
-        nscd::ContactBlock empty{};
-        std::fill(empty.a, empty.a + nscd::blockLanes, staticBody);
-        std::fill(empty.b, empty.b + nscd::blockLanes, staticBody);
-        blocks.assign(batches.blocks, empty);
+        blocks.assign(batches.blocks, nscd::emptyBlock(staticBody));
         for (std::size_t k = 0; k < contacts.size(); ++k)
         {
             nscd::ContactBlock& block = blocks[batches.slotOf[k]/nscd::blockLanes];
