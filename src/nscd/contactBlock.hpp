@@ -114,6 +114,9 @@ using LawFunction = bool (*)(const Body* bodies, ContactBlock& block, const doub
 /// Scales the impulses of blocks, makes them admissible in the present tangent planes, and gives them to the bodies, which held none.
 using StartFunction = void (*)(Body* bodies, ContactBlock* blocks, BlockRange range, double scale);
 
+/// Gives the impulses of blocks to bodies, as they are: for sums over the contacts of each body.
+using GiveFunction = void (*)(Body* bodies, const ContactBlock* blocks, BlockRange range);
+
 struct SweepKernels
 {
     const char* name;
@@ -132,6 +135,7 @@ struct SweepKernels
     LawFunction setLaws;
     StartFunction startWarm;
     StartFunction startWarmFrictionless;
+    GiveFunction giveImpulses;
     SweepFunction sweepDiscs[3];      ///< by the axis that nothing moves along
     MomentumSweepFunction sweepOnDiscs[3];
     SweepFunction evaluateDiscs[3];

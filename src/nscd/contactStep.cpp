@@ -10,7 +10,6 @@
 #include "invalidValue.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace nscd
@@ -20,11 +19,8 @@ namespace
 {
 
 using Lanes = Eigen::Array<double, blockLanes, 1>;
-using LanesOfVec3 = std::array<Lanes, 3>;
 
 Eigen::Map<const Lanes> lanes(const double* first) { return Eigen::Map<const Lanes>(first); }
-
-Vec3 inLane(const LanesOfVec3& x, int lane) { return Vec3(x[0][lane], x[1][lane], x[2][lane]); }
 
 /// Bodies are sorted in space, grains as their user numbers them: what the bodies ahead will need of theirs is asked for early.
 constexpr int bodiesAhead = 12;
@@ -116,33 +112,26 @@ void addWallForce(const ContactList& list, const Scene& scene, std::size_t slot,
     wall[scene.walls.patches.size() + patch] -= (point - scene.walls.patches[patch].torquePoint).cross(onGrain);
 }
 
-ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT)
+ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const SweepKernels& kernels, const Scene& scene, double deltaT)
 {
+    // Bodies of unit mobility, at rest: their velocities are the sums of impulses, their spins those of moments over the radius.
+    constexpr Body unit = {{0.0, 0.0, 0.0}, 1.0, {0.0, 0.0, 0.0}, 1.0};
+    std::vector<Body> sums(list.bodies.size(), Body());
+    std::fill_n(sums.begin(), list.firstWallBody(), unit);
+    kernels.giveImpulses(sums.data(), list.blocks.data(), loaded);
     std::vector<Vec3> force(list.bodies.size(), Vec3::Zero()), torque = force;
+    for (int body = 0; body < list.firstWallBody(); ++body)
+    {
+        force[body] = Vec3(sums[body].v)/deltaT;
+        torque[body] = list.radius[body]*Vec3(sums[body].s)/deltaT;
+    }
+
     const std::size_t patches = scene.walls.patches.size();
     std::vector<Vec3> wall(2*patches, Vec3::Zero());  // forces, then torques: summed over ranks together
     for (std::size_t k = 0; k < loaded.count; ++k)
+    for (std::size_t slot = loaded[k]*blockLanes; slot < (loaded[k] + 1)*blockLanes; ++slot)
     {
-        const ContactBlock& block = list.blocks[loaded[k]];
-        const LanesOfVec3 onA = {lanes(block.r[0])/deltaT, lanes(block.r[1])/deltaT, lanes(block.r[2])/deltaT};
-        const LanesOfVec3 n = {lanes(block.n[0]), lanes(block.n[1]), lanes(block.n[2])};
-        const LanesOfVec3 moment = {n[1]*onA[2] - n[2]*onA[1], n[2]*onA[0] - n[0]*onA[2], n[0]*onA[1] - n[1]*onA[0]};
-        for (int lane = 0; lane < blockLanes; ++lane)
-        {
-            const Vec3 onGrain = inLane(onA, lane), turning = inLane(moment, lane);
-            if (onGrain == Vec3::Zero()) continue;
-            const std::size_t slot = loaded[k]*blockLanes + lane;
-            const int bodyA = block.a[lane], bodyB = block.b[lane];
-            force[bodyA] += onGrain;
-            torque[bodyA] -= list.radius[bodyA]*turning;
-            if (list.wall[slot] >= 0)
-            {
-                addWallForce(list, scene, slot, onGrain, wall);
-                continue;
-            }
-            force[bodyB] -= onGrain;
-            torque[bodyB] -= list.radius[bodyB]*turning;
-        }
+        if (list.wall[slot] >= 0) addWallForce(list, scene, slot, impulse(list, slot)/deltaT, wall);
     }
     if (!list.cohesion.empty()) addCohesionForces(list, scene, deltaT, force, wall);
     if (!list.rolling.empty()) addRollingTorques(list, scene, deltaT, torque, wall);

@@ -36,7 +36,7 @@ struct ContactForces
     std::vector<Vec3> wallTorque;
 };
 /// Sums the impulses of the blocks `loaded`, by body.
-ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT);
+ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const SweepKernels& kernels, const Scene& scene, double deltaT);
 
 /// Writes forces on bodies to those on grains, whose numbers are given, and the ones on walls.
 void giveToGrains(const ContactForces& onBodies, const std::vector<int>& grainOf, ContactForces& onGrains);

@@ -74,7 +74,7 @@ struct GrainDynamics::Implementation
     /// On the bodies of the list and on walls.
     ContactForces forcesOnBodies() const
     {
-        return sleep.any() ? awakePart.forcesOn(list, loaded(), scene(), deltaT) : sumContactForces(list, loaded(), scene(), deltaT);
+        return sleep.any() ? awakePart.forcesOn(list, loaded(), kernels, scene(), deltaT) : sumContactForces(list, loaded(), kernels, scene(), deltaT);
     }
     const ContactList& wholeList() const { return sleep.any() ? awakePart.whole() : list; }
     bool isEverybodyAsleep() const { return sleep.any() && awakePart.isEmpty(); }

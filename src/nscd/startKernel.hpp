@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// What a step does to all contacts before the first sweep, written once for any number of lanes, as the sweep is.
+// What a step does to all contacts before the first sweep and after the last one, written once for any number of lanes, as the sweep is.
 #pragma once
 
 #include "laneBodies.hpp"
@@ -78,6 +78,22 @@ void startWarm(Body* bodies, ContactBlock* blocks, BlockRange range, double scal
     {
         prefetch(bodies, blocks, range, k);
         for (int first = 0; first < blockLanes; first += V::lanes) startLanes<V, isFrictional>(bodies, blocks[range[k]], scale, first);
+    }
+}
+
+template<class V>
+void giveImpulses(Body* bodies, const ContactBlock* blocks, BlockRange range)
+{
+    for (std::size_t k = 0; k < range.count; ++k)
+    {
+        prefetch(bodies, blocks, range, k);
+        const ContactBlock& block = blocks[range[k]];
+        for (int first = 0; first < blockLanes; first += V::lanes)
+        {
+            const auto component = [first](const double (&x)[blockLanes]) { return V::load(x + first); };
+            applyImpulses<V, true>(bodies, block, first, component(block.n[0]), component(block.n[1]), component(block.n[2]),
+                                   component(block.r[0]), component(block.r[1]), component(block.r[2]));
+        }
     }
 }
 

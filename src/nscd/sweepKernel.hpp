@@ -173,7 +173,7 @@ constexpr SweepKernels makeKernels(const char* name)
 {
     return {name, V::lanes, passOverBlocks<V, Spheres<true>, true>, passOverBlocks<V, Spheres<false>, true>,
             sweepOn<V, Spheres<true>>, sweepOn<V, Spheres<false>>, passOverBlocks<V, Spheres<true>, false>, passOverBlocks<V, Spheres<false>, false>,
-            replaceImpulses<V, true>, replaceImpulses<V, false>, addDifferences, extrapolateImpulses, extrapolateBodies, setLaws<V>, startWarm<V, true>, startWarm<V, false>,
+            replaceImpulses<V, true>, replaceImpulses<V, false>, addDifferences, extrapolateImpulses, extrapolateBodies, setLaws<V>, startWarm<V, true>, startWarm<V, false>, giveImpulses<V>,
             {passOverBlocks<V, Discs<0>, true>, passOverBlocks<V, Discs<1>, true>, passOverBlocks<V, Discs<2>, true>},
             {sweepOn<V, Discs<0>>, sweepOn<V, Discs<1>>, sweepOn<V, Discs<2>>},
             {passOverBlocks<V, Discs<0>, false>, passOverBlocks<V, Discs<1>, false>, passOverBlocks<V, Discs<2>, false>}};

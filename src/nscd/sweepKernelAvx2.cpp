@@ -58,7 +58,7 @@ struct Avx2Lanes
     }
 
     template<bool hasSpin>
-    static void push(Body* bodies, const std::int32_t* a, const std::int32_t* b, Real dx, Real dy, Real dz, Real mx, Real my, Real mz)
+    __attribute__((always_inline)) static void push(Body* bodies, const std::int32_t* a, const std::int32_t* b, Real dx, Real dy, Real dz, Real mx, Real my, Real mz)
     {
         Real d[4] = {dx, dy, dz, zero()}, m[4] = {mx, my, mz, zero()};
         transpose(d[0], d[1], d[2], d[3]);

@@ -91,7 +91,7 @@ struct Avx512Lanes
     static void subtract(double* row, double mobility, __m256d p) { _mm256_store_pd(row, _mm256_load_pd(row) - _mm256_set1_pd(mobility)*p); }
 
     template<bool hasSpin>
-    static void push(Body* bodies, const std::int32_t* a, const std::int32_t* b, Real dx, Real dy, Real dz, Real mx, Real my, Real mz)
+    __attribute__((always_inline)) static void push(Body* bodies, const std::int32_t* a, const std::int32_t* b, Real dx, Real dy, Real dz, Real mx, Real my, Real mz)
     {
         __m256d d[8], m[8];
         rows(dx, dy, dz, d);

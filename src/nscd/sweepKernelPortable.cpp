@@ -68,7 +68,7 @@ struct PairLanes
     }
 
     template<bool hasSpin>
-    static void push(Body* bodies, const std::int32_t* a, const std::int32_t* b, Real dx, Real dy, Real dz, Real mx, Real my, Real mz)
+    __attribute__((always_inline)) static void push(Body* bodies, const std::int32_t* a, const std::int32_t* b, Real dx, Real dy, Real dz, Real mx, Real my, Real mz)
     {
         const Real dxy[2] = {low(dx, dy), high(dx, dy)}, dz0[2] = {low(dz, zero()), high(dz, zero())};
         const Real mxy[2] = {low(mx, my), high(mx, my)}, mz0[2] = {low(mz, zero()), high(mz, zero())};

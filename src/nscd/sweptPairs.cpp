@@ -40,7 +40,8 @@ void findFastPairs(ContactList& list)
     list.fastPairs.clear();
     list.aimedPairs.clear();
     const auto slack = [&list](int body) { return body < list.owned() ? list.slack[body] : 0.0; };
-    const auto path = [&list](int body) { return body < list.owned() && !list.path.empty() ? list.path[body] : Vec3(Vec3::Zero()); };
+    const Vec3 none = Vec3::Zero();
+    const auto path = [&](int body) -> const Vec3& { return body < list.owned() && !list.path.empty() ? list.path[body] : none; };
     // A member of a clump does not fly straight.
     const std::size_t ofSingleGrains = list.clumps.empty() ? list.slots() : list.clumps.firstBlock*blockLanes;
     for (std::size_t slot = 0; slot < ofSingleGrains; ++slot)
@@ -48,7 +49,9 @@ void findFastPairs(ContactList& list)
         if (!list.isUsed(slot) || list.wall[slot] >= 0) continue;
         const int a = list.blocks[slot/blockLanes].a[slot % blockLanes], b = list.blocks[slot/blockLanes].b[slot % blockLanes];
         const double fast = fastShare*(list.radius[a] + list.radius[b]);
-        if ((path(a) - path(b)).norm() + slack(a) + slack(b) > fast || list.gap[slot] > fast) list.fastPairs.push_back(slot);
+        const double left = fast - slack(a) - slack(b);
+        const bool isFast = left < 0.0 || (path(a) - path(b)).squaredNorm() > left*left || list.gap[slot] > fast;
+        if (isFast) list.fastPairs.push_back(slot);
     }
 }
 

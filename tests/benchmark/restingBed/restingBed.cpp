@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What a step of a bed at rest costs: all grains awake, then free to sleep. CSV.
-// restingBed bed.dat [tilesX=1] [tilesY=1] [tolerance=1e-3] [steps=100] [warmUp=1000] [vectorPath=auto]: bed.dat as `rankedBed settle` wrote it.
+// restingBed bed.dat [tilesX=1] [tilesY=1] [tolerance=1e-3] [steps=100] [warmUp=1000] [vectorPath=auto] [sleep=yes]: bed.dat as
+// `rankedBed settle` wrote it. One tile comes to rest in the warm-up; copies of it, impulses and all, lie side by side.
 #include "benchmark/rankedBed/tiledBed.hpp"
 #include "unit/nscd/heaps.hpp"
 
@@ -21,7 +22,8 @@ using Options = std::map<std::string, std::string>;
 
 Options read(int argc, char** argv)
 {
-    Options options{{"tilesX", "1"}, {"tilesY", "1"}, {"tolerance", "1e-3"}, {"steps", "100"}, {"warmUp", "1000"}, {"vectorPath", "auto"}};
+    Options options{{"tilesX", "1"}, {"tilesY", "1"}, {"tolerance", "1e-3"}, {"steps", "100"}, {"warmUp", "1000"},
+                    {"vectorPath", "auto"}, {"sleep", "yes"}};
     for (int k = 2; k < argc; ++k)
     {
         const std::string word = argv[k];
@@ -30,6 +32,65 @@ Options read(int argc, char** argv)
         options[word.substr(0, at)] = word.substr(at + 1);
     }
     return options;
+}
+
+/// A bed, its impulses, and the length of the step that they are of.
+struct State
+{
+    Scene scene;
+    std::vector<nscd::StoredImpulse> impulses;
+    double lastDeltaT = 0.0;
+};
+
+/// The bed at rest: a bed that settled, calmed for `steps` steps more.
+State atRest(const TiledBed& bed, const nscd::ContactSettings& settings, int steps)
+{
+    State state{bed.whole()};
+    auto dynamics = state.scene.build(settings);
+    for (int k = 0; k < steps; ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
+    state.scene.grains = dynamics.grains();
+    state.impulses = dynamics.checkpoint(state.lastDeltaT);
+    return state;
+}
+
+/// Which tile, from that of a, an impulse's other grain is in: its image next to a.
+Vec3 stepsToOther(const State& tile, const nscd::StoredImpulse& impulse)
+{
+    const Vec3 apart = tile.scene.grains.position[impulse.idA] - tile.scene.grains.position[impulse.idB], period = tile.scene.box.length;
+    return Vec3(std::round(apart[0]/period[0]), std::round(apart[1]/period[1]), 0);
+}
+
+/// Copies of a bed side by side. Its grains are numbered as they lie in memory.
+State sideBySide(const State& tile, int tilesX, int tilesY)
+{
+    const nscd::Grains& grains = tile.scene.grains;
+    const Vec3 period = tile.scene.box.length;
+    const auto n = static_cast<std::int64_t>(grains.size());
+    State all{emptyBed(tilesX*period[0], tilesY*period[1]), {}, tile.lastDeltaT};
+    for (int j = 0; j < tilesY; ++j)
+    for (int i = 0; i < tilesX; ++i)
+    {
+        const std::int64_t first = n*(i + tilesX*j);
+        for (std::size_t k = 0; k < grains.size(); ++k)
+        {
+            const std::size_t at = all.scene.grains.size();
+            all.scene.grains.add(grains.position[k] + Vec3(i*period[0], j*period[1], 0), radius, density, 0, static_cast<std::int64_t>(at));
+            all.scene.grains.velocity[at] = grains.velocity[k];
+            all.scene.grains.omega[at] = grains.omega[k];
+        }
+        for (nscd::StoredImpulse impulse : tile.impulses)
+        {
+            if (impulse.idB >= 0)
+            {
+                const Vec3 steps = stepsToOther(tile, impulse);
+                const int column = (i + static_cast<int>(steps[0]) + tilesX) % tilesX, row = (j + static_cast<int>(steps[1]) + tilesY) % tilesY;
+                impulse.idB += n*(column + tilesX*row);
+            }
+            impulse.idA += first;
+            all.impulses.push_back(impulse);
+        }
+    }
+    return all;
 }
 
 struct Means
@@ -79,17 +140,20 @@ int main(int argc, char** argv)
         return 1;
     }
     const Options o = read(argc, argv);
-    const TiledBed tiles(argv[1], std::stoi(o.at("tilesX")), std::stoi(o.at("tilesY")));
     nscd::ContactSettings settings;
     settings.tolerance = std::stod(o.at("tolerance"));
     settings.vectorPath = o.at("vectorPath");
     std::printf("what,grains,contacts,candidates,sweeps,listsBuilt,converged,msPerStep,nsPerGrain,findPairsMs,buildContactsMs,solveContactsMs,"
                 "moveGrainsMs,kineticEnergy,asleep\n");
+    settings.sleep = false;
+    const State bed = sideBySide(atRest(TiledBed(argv[1], 1, 1), settings, std::stoi(o.at("warmUp"))), std::stoi(o.at("tilesX")), std::stoi(o.at("tilesY")));
     for (const bool sleep : {false, true})
     {
+        if (sleep && o.at("sleep") != "yes") break;
         settings.sleep = sleep;
-        auto dynamics = tiles.whole().build(settings);
-        for (int k = 0; k < std::stoi(o.at("warmUp")); ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
+        auto dynamics = bed.scene.build(settings);
+        dynamics.restore(bed.impulses, bed.lastDeltaT);
+        for (int k = 0; k < 20; ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
         for (int k = 0; k < 3; ++k) measure(sleep ? "may sleep" : "awake", dynamics, std::stoi(o.at("steps")));
     }
 }
