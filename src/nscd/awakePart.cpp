@@ -51,10 +51,10 @@ void AwakePart::forEachSlot(const ContactList& part, const Visit& visit) const
     }
 }
 
-void AwakePart::hold(ContactList whole, const SweepKernels& kernels, const Scene& scene, double deltaT)
+void AwakePart::hold(ContactList whole, ContactForceSum& sumForces, const Scene& scene, double deltaT)
 {
     whole_ = std::move(whole);
-    forces_ = sumContactForces(whole_, {nullptr, whole_.blocks.size()}, kernels, scene, deltaT);
+    forces_ = sumForces(whole_, {nullptr, whole_.blocks.size()}, scene, deltaT);
     bodyOf_.resize(whole_.owned());
     for (int body = 0; body < whole_.owned(); ++body) bodyOf_[whole_.grainOf[body]] = body;
     findSlotsOfBodies();
@@ -148,7 +148,7 @@ void AwakePart::packSlots(ContactList& part, const Scene& scene, const std::vect
     for (std::size_t k = 0; k < slots.size(); ++k) slotInWhole_[batches.slotOf[k]] = slots[k];
 }
 
-ContactList AwakePart::cut(const SweepKernels& kernels, const Scene& scene, const GrainSleep& sleep, double diameter, double deltaT)
+ContactList AwakePart::cut(ContactForceSum& sumForces, const Scene& scene, const GrainSleep& sleep, double diameter, double deltaT)
 {
     ContactList part;
     part.hasRolling = whole_.hasRolling;
@@ -167,7 +167,7 @@ ContactList AwakePart::cut(const SweepKernels& kernels, const Scene& scene, cons
         outside_.force.push_back(forces_.force[body]);
         outside_.torque.push_back(forces_.torque[body]);
     }
-    add(outside_, sumContactForces(part, {nullptr, part.blocks.size()}, kernels, scene, deltaT), -1.0);
+    add(outside_, sumForces(part, {nullptr, part.blocks.size()}, scene, deltaT), -1.0);
     for (int body = 0; body < part.owned(); ++body)
     {
         if (sleep.isAsleep(part.grainOf[body])) continue;
@@ -212,9 +212,9 @@ void AwakePart::giveBack(const ContactList& part, const ContactForces& onBodies)
     giveToGrains(onBodies, bodies_, forces_);
 }
 
-ContactForces AwakePart::forcesOn(const ContactList& part, BlockRange loaded, const SweepKernels& kernels, const Scene& scene, double deltaT) const
+const ContactForces& AwakePart::forcesOn(const ContactList& part, BlockRange loaded, ContactForceSum& sumForces, const Scene& scene, double deltaT) const
 {
-    ContactForces sum = sumContactForces(part, loaded, kernels, scene, deltaT);
+    ContactForces& sum = sumForces(part, loaded, scene, deltaT);
     add(sum, outside_, 1.0);
     return sum;
 }

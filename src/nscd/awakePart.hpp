@@ -16,13 +16,13 @@ class AwakePart
 {
 public:
     /// Takes the list of all contacts, with geometry and impulses as between two steps.
-    void hold(ContactList whole, const SweepKernels& kernels, const Scene& scene, double deltaT);
+    void hold(ContactList whole, ContactForceSum& sumForces, const Scene& scene, double deltaT);
     const ContactList& whole() const { return whole_; }
     /// Gives the list of all contacts up again.
     ContactList release() { return std::move(whole_); }
 
     /// The part for those who are awake now; its impulses are those of the last step.
-    ContactList cut(const SweepKernels& kernels, const Scene& scene, const GrainSleep& sleep, double diameter, double deltaT);
+    ContactList cut(ContactForceSum& sumForces, const Scene& scene, const GrainSleep& sleep, double diameter, double deltaT);
     /// Whether nobody is awake.
     bool isEmpty() const { return isEmpty_; }
     /// The impulse of a slot of the whole.
@@ -40,7 +40,7 @@ public:
     void giveBack(const ContactList& part, const ContactForces& onBodies);
 
     /// Contact forces on the part's bodies and on walls: of the part, and of the contacts outside it.
-    ContactForces forcesOn(const ContactList& part, BlockRange loaded, const SweepKernels& kernels, const Scene& scene, double deltaT) const;
+    const ContactForces& forcesOn(const ContactList& part, BlockRange loaded, ContactForceSum& sumForces, const Scene& scene, double deltaT) const;
 
     /// Of some sleeping grains and those around them through `rings` closed contacts, all that sleep, ascending.
     std::vector<int> sleepersAround(const std::vector<int>& grains, int rings, const GrainSleep& sleep, double deadBand) const;

@@ -4,6 +4,7 @@
 // What all contact solvers share: stop rule, residual, table.
 #include "contactSolver.hpp"
 
+#include "blockPrefetch.hpp"
 #include "invalidValue.hpp"
 #include "packedContacts.hpp"
 
@@ -141,8 +142,14 @@ bool wakeBlocks(ContactProblem& problem)
 {
     if (problem.isPacked) return problem.packing->wake(problem);
     const std::size_t before = problem.awake.size();
-    std::vector<std::uint32_t> awake;
+    std::vector<std::uint32_t> asleep;
     std::size_t next = 0;
+    for (std::uint32_t k = problem.firstBlock; k < problem.blocks.size(); ++k)
+    {
+        const bool isAwake = next < before && problem.awake[next] == k;
+        if (isAwake) ++next;
+        else asleep.push_back(k);
+    }
     problem.halo.giveVelocities(problem.bodies);
     const auto isActive = [&](std::uint32_t k)
     {
@@ -150,18 +157,23 @@ bool wakeBlocks(ContactProblem& problem)
         {
             return isClumpBlockActive(problem.bodies.data(), problem.blocks.data(), *problem.clumps, k);
         }
+        // Asleep, nothing is carried: what the law asks for is normal, so the frictionless evaluation tells.
         return problem.kernels.evaluateFrictionless(problem.bodies.data(), &problem.blocks[k], {nullptr, 1}).active > 0.0;
     };
-    for (std::uint32_t k = problem.firstBlock; k < problem.blocks.size(); ++k)
+    std::vector<std::uint32_t> woken;
+    for (std::size_t m = 0; m < asleep.size(); ++m)
     {
-        const bool isAwake = next < before && problem.awake[next] == k;
-        if (isAwake) ++next;
-        // Asleep, nothing is carried: what the law asks for is normal, so the frictionless evaluation tells.
-        if (isAwake || isActive(k)) awake.push_back(k);
+        prefetch(problem.bodies.data(), problem.blocks.data(), {asleep.data(), asleep.size()}, m);
+        if (isActive(asleep[m])) woken.push_back(asleep[m]);
     }
     // Ranges of the list stay valid unless it grows.
-    if (awake.size() != before) problem.awake = std::move(awake);
-    return problem.halo.any(problem.awake.size() != before);
+    if (!woken.empty())
+    {
+        std::vector<std::uint32_t> awake(before + woken.size());
+        std::merge(problem.awake.begin(), problem.awake.end(), woken.begin(), woken.end(), awake.begin());
+        problem.awake = std::move(awake);
+    }
+    return problem.halo.any(!woken.empty());
 }
 
 void applyImpulse(Body& a, Body& b, const double n[3], const double delta[3])

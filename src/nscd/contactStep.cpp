@@ -4,6 +4,8 @@
 // Free velocities, warm start, forces and motion.
 #include "contactStep.hpp"
 
+#include "blockPrefetch.hpp"
+
 #include "clumpMotion.hpp"
 #include "contactSolver.hpp"
 #include "freeRotation.hpp"
@@ -23,13 +25,13 @@ using Lanes = Eigen::Array<double, blockLanes, 1>;
 Eigen::Map<const Lanes> lanes(const double* first) { return Eigen::Map<const Lanes>(first); }
 
 /// Bodies are sorted in space, grains as their user numbers them: what the bodies ahead will need of theirs is asked for early.
-constexpr int bodiesAhead = 12;
+constexpr int grainsAhead = 12;
 
 template<class... Arrays>
 void fetchAhead(const ContactList& list, int body, const Arrays&... ofGrains)
 {
-    if (body + bodiesAhead >= list.owned()) return;
-    const int i = list.grainOf[body + bodiesAhead];
+    if (body + grainsAhead >= list.owned()) return;
+    const int i = list.grainOf[body + grainsAhead];
     (__builtin_prefetch(&ofGrains[i]), ...);
 }
 
@@ -94,6 +96,7 @@ void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT,
     const std::size_t blocks = list.clumps.empty() ? list.blocks.size() : list.clumps.firstBlock;
     for (std::size_t k = 0; k < blocks; ++k)
     {
+        prefetch(list.bodies.data(), list.blocks.data(), {nullptr, blocks}, k);
         if (kernels.setLaws(list.bodies.data(), list.blocks[k], &list.gap[k*blockLanes], law)) list.awake.push_back(static_cast<std::uint32_t>(k));
     }
     if (!list.cohesion.empty()) applyCohesion(list, deltaT, deadBand);
@@ -112,18 +115,20 @@ void addWallForce(const ContactList& list, const Scene& scene, std::size_t slot,
     wall[scene.walls.patches.size() + patch] -= (point - scene.walls.patches[patch].torquePoint).cross(onGrain);
 }
 
-ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const SweepKernels& kernels, const Scene& scene, double deltaT)
+ContactForces& ContactForceSum::operator()(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT)
 {
     // Bodies of unit mobility, at rest: their velocities are the sums of impulses, their spins those of moments over the radius.
     constexpr Body unit = {{0.0, 0.0, 0.0}, 1.0, {0.0, 0.0, 0.0}, 1.0};
-    std::vector<Body> sums(list.bodies.size(), Body());
-    std::fill_n(sums.begin(), list.firstWallBody(), unit);
-    kernels.giveImpulses(sums.data(), list.blocks.data(), loaded);
-    std::vector<Vec3> force(list.bodies.size(), Vec3::Zero()), torque = force;
+    impulses_.assign(list.bodies.size(), Body());
+    std::fill_n(impulses_.begin(), list.firstWallBody(), unit);
+    give_(impulses_.data(), list.blocks.data(), loaded);
+    std::vector<Vec3>&force = sums_.force, &torque = sums_.torque;
+    force.assign(list.bodies.size(), Vec3::Zero());
+    torque.assign(list.bodies.size(), Vec3::Zero());
     for (int body = 0; body < list.firstWallBody(); ++body)
     {
-        force[body] = Vec3(sums[body].v)/deltaT;
-        torque[body] = list.radius[body]*Vec3(sums[body].s)/deltaT;
+        force[body] = Vec3(impulses_[body].v)/deltaT;
+        torque[body] = list.radius[body]*Vec3(impulses_[body].s)/deltaT;
     }
 
     const std::size_t patches = scene.walls.patches.size();
@@ -142,7 +147,9 @@ ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const
     const auto middle = wall.begin() + static_cast<std::ptrdiff_t>(patches);
     force.resize(list.owned());
     torque.resize(list.owned());
-    return {std::move(force), std::move(torque), {wall.begin(), middle}, {middle, wall.end()}};
+    sums_.wall.assign(wall.begin(), middle);
+    sums_.wallTorque.assign(middle, wall.end());
+    return sums_;
 }
 
 void giveToGrains(const ContactForces& onBodies, const std::vector<int>& grainOf, ContactForces& onGrains)

@@ -35,8 +35,22 @@ struct ContactForces
     std::vector<Vec3> wall;
     std::vector<Vec3> wallTorque;
 };
-/// Sums the impulses of the blocks `loaded`, by body.
-ContactForces sumContactForces(const ContactList& list, BlockRange loaded, const SweepKernels& kernels, const Scene& scene, double deltaT);
+
+/// Sums the impulses of the blocks `loaded`, by body. What it returns lasts until the next sum; its memory is used again, since fresh pages in every
+/// step cost more than the sums.
+class ContactForceSum
+{
+public:
+    ContactForceSum() = default;
+    explicit ContactForceSum(const SweepKernels& kernels) : give_(kernels.giveImpulses) {}
+
+    ContactForces& operator()(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT);
+
+private:
+    GiveFunction give_ = nullptr;
+    std::vector<Body> impulses_;
+    ContactForces sums_;
+};
 
 /// Writes forces on bodies to those on grains, whose numbers are given, and the ones on walls.
 void giveToGrains(const ContactForces& onBodies, const std::vector<int>& grainOf, ContactForces& onGrains);

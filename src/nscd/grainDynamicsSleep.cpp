@@ -12,13 +12,13 @@ namespace nscd
 void GrainDynamics::Implementation::holdWholeList()
 {
     overlapAsleep = measureOverlap(list).max;
-    awakePart.hold(std::move(list), kernels, scene(), deltaT);
+    awakePart.hold(std::move(list), sumForces, scene(), deltaT);
 }
 
 void GrainDynamics::Implementation::cutAwakePart()
 {
     sleep.wake(awakePart.sleepersBesideDriven(grains, sleep));
-    if (sleep.isWorthwhile()) list = awakePart.cut(kernels, scene(), sleep, diameter, deltaT);
+    if (sleep.isWorthwhile()) list = awakePart.cut(sumForces, scene(), sleep, diameter, deltaT);
     else giveUpSleep();
 }
 

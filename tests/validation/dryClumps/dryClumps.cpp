@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // A heap of 1000 clumps and some spheres between them in a box: it lands and comes to rest; laws and balances by code of its own.
-// dryClumps [clumps=1000] [side=6] [steps=2500]
+// dryClumps [clumps=1000] [side=6] [steps=4000]
 #include "../../unit/nscd/clumpMap.hpp"
 #include "../resources/bars.hpp"
 
@@ -72,7 +72,7 @@ void heapSettles(int clumps, int side, int steps)
 
 int main(int argc, char** argv)
 {
-    const int clumps = argc > 1 ? std::atoi(argv[1]) : 1000, side = argc > 2 ? std::atoi(argv[2]) : 6, steps = argc > 3 ? std::atoi(argv[3]) : 2500;
+    const int clumps = argc > 1 ? std::atoi(argv[1]) : 1000, side = argc > 2 ? std::atoi(argv[2]) : 6, steps = argc > 3 ? std::atoi(argv[3]) : 4000;
     std::printf("heap of %d clumps, %d steps of %g s\n", clumps, steps, deltaT);
     heapSettles(clumps, side, steps);
     return bars::status();
