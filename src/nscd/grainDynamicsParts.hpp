@@ -21,9 +21,6 @@ namespace nscd
 
 /// Steps of unchanged motion a list should last at least.
 constexpr double fewestStepsPerList = 2.0;
-/// Steps that grains are expected to move on as they do, where lists are made for that. In a collapse lists then cost 9 ms a step; with 2 and 3 steps 16
-/// and 13, and 5 gain nothing.
-constexpr double mostStepsOfPaths = 4.0;
 
 struct GrainDynamics::Implementation
 {
@@ -48,7 +45,6 @@ struct GrainDynamics::Implementation
     bool isListStale = true;
     bool isListNew = false;       // built since the last step
     double stepsPerList = fewestStepsPerList;
-    double stepsOfPaths = mostStepsOfPaths;
     double deltaT = 0.0;          // of the step begun
     double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
     ImpulseRecord restored;

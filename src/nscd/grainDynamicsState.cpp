@@ -20,8 +20,6 @@ namespace
 /// Candidates a grain below which a list is so short that it had better last longer, and above which it had better be shorter.
 constexpr double fewCandidates = 0.5, manyCandidates = 2.0;
 constexpr double mostStepsPerList = 64.0;
-/// The same where grains that move together are expected to go on: a collapse has 4, rain on a bed 20 with 4 steps and 6 with 2.
-constexpr double fewOnPaths = 5.0, manyOnPaths = 10.0, fewestStepsOfPaths = 2.0;
 
 void refuseBesideClumps(const Exchange& exchange, const ContactSettings& settings, const Materials& materials)
 {
@@ -40,8 +38,6 @@ void GrainDynamics::Implementation::fitStepsPerList()
     exchange->sum(sums, 2);
     if (sums[0] < fewCandidates*sums[1]) stepsPerList = std::min(2.0*stepsPerList, mostStepsPerList);
     else if (sums[0] > manyCandidates*sums[1]) stepsPerList = std::max(0.5*stepsPerList, fewestStepsPerList);
-    if (sums[0] > manyOnPaths*sums[1]) stepsOfPaths = fewestStepsOfPaths;
-    else if (sums[0] < fewOnPaths*sums[1]) stepsOfPaths = mostStepsOfPaths;
 }
 
 void GrainDynamics::Implementation::chooseKernelsOfStep()
