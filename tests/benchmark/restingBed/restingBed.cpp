@@ -18,6 +18,8 @@ namespace
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+constexpr int stepsSideBySide = 20;  // damped too
+
 using Options = std::map<std::string, std::string>;
 
 Options read(int argc, char** argv)
@@ -42,15 +44,17 @@ struct State
     double lastDeltaT = 0.0;
 };
 
-/// The bed at rest: a bed that settled, calmed for `steps` steps more.
-State atRest(const TiledBed& bed, const nscd::ContactSettings& settings, int steps)
+void calm(nscd::GrainDynamics& dynamics, int steps)
 {
-    State state{bed.whole()};
-    auto dynamics = state.scene.build(settings);
     for (int k = 0; k < steps; ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
-    state.scene.grains = dynamics.grains();
-    state.impulses = dynamics.checkpoint(state.lastDeltaT);
-    return state;
+}
+
+State stateOf(nscd::GrainDynamics& dynamics, Scene scene)
+{
+    scene.grains = dynamics.grains();
+    double lastDeltaT = 0.0;
+    std::vector<nscd::StoredImpulse> impulses = dynamics.checkpoint(lastDeltaT);
+    return {std::move(scene), std::move(impulses), lastDeltaT};
 }
 
 /// Which tile, from that of a, an impulse's other grain is in: its image next to a.
@@ -130,6 +134,11 @@ void measure(const char* name, nscd::GrainDynamics& dynamics, int steps)
     std::fflush(stdout);
 }
 
+void measureWindows(bool sleep, nscd::GrainDynamics& dynamics, int steps)
+{
+    for (int k = 0; k < 3; ++k) measure(sleep ? "may sleep" : "awake", dynamics, steps);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -145,15 +154,23 @@ int main(int argc, char** argv)
     settings.vectorPath = o.at("vectorPath");
     std::printf("what,grains,contacts,candidates,sweeps,listsBuilt,converged,msPerStep,nsPerGrain,findPairsMs,buildContactsMs,solveContactsMs,"
                 "moveGrainsMs,kineticEnergy,asleep\n");
-    settings.sleep = false;
-    const State bed = sideBySide(atRest(TiledBed(argv[1], 1, 1), settings, std::stoi(o.at("warmUp"))), std::stoi(o.at("tilesX")), std::stoi(o.at("tilesY")));
+    const int steps = std::stoi(o.at("steps")), tilesX = std::stoi(o.at("tilesX")), tilesY = std::stoi(o.at("tilesY"));
+    const Scene tile = TiledBed(argv[1], 1, 1).whole();
     for (const bool sleep : {false, true})
     {
         if (sleep && o.at("sleep") != "yes") break;
         settings.sleep = sleep;
-        auto dynamics = bed.scene.build(settings);
-        dynamics.restore(bed.impulses, bed.lastDeltaT);
-        for (int k = 0; k < 20; ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
-        for (int k = 0; k < 3; ++k) measure(sleep ? "may sleep" : "awake", dynamics, std::stoi(o.at("steps")));
+        auto dynamics = tile.build(settings);
+        calm(dynamics, std::stoi(o.at("warmUp")));
+        if (tilesX*tilesY == 1)
+        {
+            measureWindows(sleep, dynamics, steps);
+            continue;
+        }
+        const State all = sideBySide(stateOf(dynamics, tile), tilesX, tilesY);
+        auto many = all.scene.build(settings);
+        many.restore(all.impulses, all.lastDeltaT);
+        calm(many, stepsSideBySide);
+        measureWindows(sleep, many, steps);
     }
 }
