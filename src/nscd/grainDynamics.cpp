@@ -20,11 +20,15 @@ namespace
 {
 
 constexpr int maxListRebuilds = 6;
-/// Steps that grains are expected to move on as they do. In a collapse lists then cost 9 ms a step; with 2 and 3 steps 16 and 13, and 5 gain nothing.
-constexpr double stepsOfPaths = 4.0;
-/// What a blow may change a grain's velocity by, in the largest difference between its velocity and those of its candidates: what a heavy one does to
-/// it at once.
+/// What a blow may change a grain's velocity by, in the largest difference between its velocity and those of the candidates it may meet: what a heavy
+/// one does to it at once.
 constexpr double blow = 1.0;
+/// Candidates that pass at more than this [d] give no blows: fast grains and those around them would make each other candidates without end (rain on a bed:
+/// 80 a grain in place of 21). With a quarter of it a collapse needs two lists in place of one.
+constexpr double widestMiss = 1.0;
+/// Steps that grains are expected to move on as they do. In a collapse lists cost 9 ms a step with 4; with 2 and 3 steps 16 and 13, and 5 gain nothing. Where
+/// grains hit each other at speed, as in rain on a bed, lists for that long are longer than all others together.
+constexpr double mostStepsOfPaths = 4.0, fewestStepsOfPaths = 1.5, widestScatter = 0.5;
 
 void checkLength(const char* name, std::size_t length, std::size_t grains)
 {
@@ -40,24 +44,36 @@ void checkForces(const ExternalForces& external, std::size_t grains)
     if (!(external.speedScale >= 0.0) || !std::isfinite(external.speedScale)) throw invalidValue("speed scale", external.speedScale, "a finite value >= 0 m/s");
 }
 
-/// Of each grain: its speed, and that at which a blow may throw it off its path.
-std::vector<double> speedsWithBlows(const ContactList& list, const std::vector<Vec3>& velocity)
+/// Of each grain: the speed at which a blow of one that passes within `miss` [m] in a time may throw it off its path. Two bodies on straight paths
+/// come no nearer than along their present normal.
+std::vector<double> speedsOfBlows(const ContactList& list, const std::vector<Vec3>& velocity, double time, double miss)
 {
     std::vector<Vec3> ofBody(list.owned());
     for (int body = 0; body < list.owned(); ++body) ofBody[body] = velocity[list.grainOf[body]];
     std::vector<double> relative2(list.owned(), 0.0);
-    for (const ContactBlock& block : list.blocks)
-    for (int lane = 0; lane < blockLanes; ++lane)
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
-        const int a = block.a[lane], b = block.b[lane];
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
         if (b >= list.owned()) continue;
-        const double speed2 = (ofBody[a] - ofBody[b]).squaredNorm();
+        const Vec3 u = ofBody[a] - ofBody[b];
+        if (list.gap[slot] + time*normal(list, slot).dot(u) > miss) continue;
+        const double speed2 = u.squaredNorm();
         relative2[a] = std::max(relative2[a], speed2);
         relative2[b] = std::max(relative2[b], speed2);
     }
     std::vector<double> speed(list.owned());
-    for (int body = 0; body < list.owned(); ++body) speed[list.grainOf[body]] = ofBody[body].norm() + blow*std::sqrt(relative2[body]);
+    for (int body = 0; body < list.owned(); ++body) speed[list.grainOf[body]] = blow*std::sqrt(relative2[body]);
     return speed;
+}
+
+/// Steps for which blows throw grains off their paths by widestScatter d in the mean (rms), within limits.
+double stepsOfPaths(const std::vector<double>& blows, double diameter, double deltaT)
+{
+    double squares = 0.0;
+    for (double speed : blows) squares += speed*speed;
+    const double scatter = deltaT*std::sqrt(squares/std::max<double>(1.0, static_cast<double>(blows.size())));
+    return mostStepsOfPaths*scatter <= widestScatter*diameter ? mostStepsOfPaths : std::max(fewestStepsOfPaths, widestScatter*diameter/scatter);
 }
 
 /// Of each grain: its speed, or the common one: a slow grain may be hit, and be as fast as the others at the end of the step.
@@ -125,9 +141,19 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     // Over many steps grains do not fly straight; and pairs on two ranks are listed by reach alone, so that longer ones would cost more there.
     const bool areExpected = isStraight && !isListStale && stepsPerList == fewestStepsPerList && !exchange->isParallel();
     ExpectedMotion expected;
-    expected.time = (areExpected ? stepsOfPaths : stepsPerList)*deltaT;
-    if (areExpected) expected.velocity = velocity;
-    const std::vector<double> speed = areExpected ? speedsWithBlows(list, velocity) : speedsOrCommon(velocity, commonSpeed);
+    std::vector<double> speed;
+    if (areExpected)
+    {
+        speed = speedsOfBlows(list, velocity, mostStepsOfPaths*deltaT, widestMiss*diameter);
+        expected.time = stepsOfPaths(speed, diameter, deltaT)*deltaT;
+        expected.velocity = velocity;
+        for (std::size_t i = 0; i < speed.size(); ++i) speed[i] += velocity[i].norm();
+    }
+    else
+    {
+        speed = speedsOrCommon(velocity, commonSpeed);
+        expected.time = stepsPerList*deltaT;
+    }
     std::vector<double> reach(grains.size());
     for (std::size_t i = 0; i < grains.size(); ++i) reach[i] = materials.cohesionRange() + 0.5*settings.skin*diameter + expected.time*speed[i];
     makeWallSearch();

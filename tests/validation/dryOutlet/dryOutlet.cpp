@@ -96,24 +96,38 @@ Scene lattice(const Silo& silo)
     return scene;
 }
 
-/// Puts what fell through back above the highest grain near its new place, at rest. Returns the mass moved.
+/// Lifts x above all grains that are under it or nearly so.
+void putOnTop(const nscd::Grains& grains, std::size_t self, Vec3& x)
+{
+    for (std::size_t j = 0; j < grains.size(); ++j)
+    {
+        const Vec3 apart = grains.position[j] - x;
+        const bool isUnder = j != self && apart[0]*apart[0] + apart[1]*apart[1] < 6.25*diameter*diameter;
+        if (isUnder) x[2] = std::max(x[2], grains.position[j][2] + 1.2*diameter);
+    }
+}
+
+/// Puts what fell through back on the surface, at rest. Of some random places the lowest: grains put on one another would come down as rain.
+/// Returns the mass moved.
 double refill(nscd::GrainDynamics& dynamics, const Silo& silo, std::mt19937& random)
 {
+    constexpr int places = 12;
     nscd::Grains grains = dynamics.grains();
     std::uniform_real_distribution<double> place(-0.5*silo.width*diameter + 2*radius, 0.5*silo.width*diameter - 2*radius);
     double mass = 0.0;
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         if (grains.position[i][2] > -3*diameter) continue;
-        Vec3 x(place(random), silo.dimensions == 3 ? place(random) : 0.0, 0);
-        for (std::size_t j = 0; j < grains.size(); ++j)
+        Vec3 lowest(0, 0, 1e3);
+        for (int n = 0; n < places; ++n)
         {
-            const Vec3 apart = grains.position[j] - x;
-            const bool isUnder = j != i && std::hypot(apart[0], apart[1]) < 2.5*diameter;
-            if (isUnder) x[2] = std::max(x[2], grains.position[j][2] + 1.2*diameter);
+            const double along = place(random), across = silo.dimensions == 3 ? place(random) : 0.0;
+            Vec3 x(along, across, 0);
+            putOnTop(grains, i, x);
+            if (x[2] < lowest[2]) lowest = x;
         }
         mass += grains.mass[i];
-        grains.position[i] = x;
+        grains.position[i] = lowest;
         grains.velocity[i] = grains.omega[i] = Vec3::Zero();
     }
     if (mass > 0.0) dynamics.setGrains(grains);
@@ -204,8 +218,8 @@ int main(int count, char** arguments)
     bars::CsvFile csv(arguments[0], isSpatial ? "spheres" : "discs", "dimensions,width,layers,outlet,flow,C");
     if (isSpatial)
     {
-        beverloo(csv, 3, 20, 18, {5, 6, 8, 10}, 0.5);
-        head(csv, 3, 20, 8, 18, 36, 0.5);
+        beverloo(csv, 3, 20, 18, {5, 6, 8, 10}, 1.0);
+        head(csv, 3, 20, 8, 18, 36, 1.0);
     }
     else
     {
