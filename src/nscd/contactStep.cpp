@@ -5,7 +5,6 @@
 #include "contactStep.hpp"
 
 #include "blockPrefetch.hpp"
-
 #include "clumpMotion.hpp"
 #include "contactSolver.hpp"
 #include "freeRotation.hpp"

@@ -63,15 +63,16 @@ bool PackedContacts::isWorthwhile(const ContactProblem& whole) const
 void PackedContacts::append(const std::vector<std::uint32_t>& slots, int staticBody)
 {
     std::vector<ContactBlock>& home = *home_;
-    contacts_.clear();
+    std::vector<Candidate> contacts;
+    contacts.reserve(slots.size());
     for (std::uint32_t slot : slots)
     {
         const ContactBlock& block = home[slot/blockLanes];
-        contacts_.push_back({block.a[slot % blockLanes], block.b[slot % blockLanes], -1, {0, 0, 0}});
+        contacts.push_back({block.a[slot % blockLanes], block.b[slot % blockLanes], -1, {0, 0, 0}});
     }
     std::vector<std::uint32_t> order(slots.size());
     std::iota(order.begin(), order.end(), 0u);
-    const Batches batches = batchContacts(contacts_, order, staticBody);
+    const Batches batches = batchContacts(contacts, order, staticBody);
 
     const std::size_t before = blocks_.size();
     blocks_.resize(before + batches.blocks, emptyBlock(staticBody));

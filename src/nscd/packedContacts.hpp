@@ -43,7 +43,6 @@ private:
     std::vector<ContactBlock> blocks_;
     std::vector<std::uint32_t> awake_;    ///< all of them
     std::vector<std::uint32_t> slotOf_;   ///< of each packed lane; lanes that are not used have none
-    std::vector<Candidate> contacts_;     ///< that are being packed
 };
 
 } // namespace nscd

@@ -69,9 +69,11 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
         const bool isMet = rule.isMet(sums);
         DefectSums left = sums;
         if (problem.isFlowing() && looks.areDue(report.sweeps, sums, rule)) looks.note(sums, left = residualOfActive(problem));
-        if (isMet && polishing < settings.polishSweeps && !help.polish(sums, rule)) ++polishing;
+        const bool isPolishing = isMet && polishing < settings.polishSweeps && !help.polish(sums, rule);
+        if (isPolishing) ++polishing;
         else if (rule.isMet(left) && isSolved()) return report;
-        if ((rule.isMet(left) || isMet || isWakingDue(report.sweeps, problem)) && wakeBlocks(problem)) help.forget();
+        const bool hasFailed = rule.isMet(left) && !isPolishing;
+        if ((hasFailed || isWakingDue(report.sweeps, problem)) && wakeBlocks(problem)) help.forget();
         const int work = help.afterSweep(report.sweeps, left, rule);
         report.sweeps += work;
         if (work > 0 && problem.isFlowing() && rule.isMet(residual(problem)) && isSolved()) return report;

@@ -2,11 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What a step of a bed at rest costs: all grains awake, then free to sleep. CSV.
-// restingBed bed.dat [tilesX=1] [tilesY=1] [tolerance=1e-3] [steps=100] [warmUp=1000] [vectorPath=auto] [sleep=yes]: bed.dat as
-// `rankedBed settle` wrote it. One tile comes to rest in the warm-up; copies of it, impulses and all, lie side by side.
+// restingBed bed.dat [tilesX=1] [tilesY=1] [tolerance=1e-3] [steps=100] [warmUp=1000] [calm=600] [vectorPath=auto] [sleep=yes]: bed.dat as
+// `rankedBed settle` wrote it. One tile comes to rest in `warmUp` damped steps; tilesX*tilesY copies of it, impulses and all, then lie side by side for
+// `calm` damped steps more: their contacts are found anew.
 #include "benchmark/rankedBed/tiledBed.hpp"
 #include "unit/nscd/heaps.hpp"
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <map>
@@ -18,14 +20,12 @@ namespace
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-constexpr int stepsSideBySide = 20;  // damped too
-
 using Options = std::map<std::string, std::string>;
 
 Options read(int argc, char** argv)
 {
     Options options{{"tilesX", "1"}, {"tilesY", "1"}, {"tolerance", "1e-3"}, {"steps", "100"}, {"warmUp", "1000"},
-                    {"vectorPath", "auto"}, {"sleep", "yes"}};
+                    {"calm", "600"}, {"vectorPath", "auto"}, {"sleep", "yes"}};
     for (int k = 2; k < argc; ++k)
     {
         const std::string word = argv[k];
@@ -36,12 +36,11 @@ Options read(int argc, char** argv)
     return options;
 }
 
-/// A bed, its impulses, and the length of the step that they are of.
-struct State
+/// Impulses, and the length of the step that they are of.
+struct Impulses
 {
-    Scene scene;
-    std::vector<nscd::StoredImpulse> impulses;
-    double lastDeltaT = 0.0;
+    std::vector<nscd::StoredImpulse> all;
+    double deltaT = 0.0;
 };
 
 void calm(nscd::GrainDynamics& dynamics, int steps)
@@ -49,52 +48,45 @@ void calm(nscd::GrainDynamics& dynamics, int steps)
     for (int k = 0; k < steps; ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
 }
 
-State stateOf(nscd::GrainDynamics& dynamics, Scene scene)
+/// The grains and impulses of one tile at rest; the bed's tile lies there then.
+Impulses settle(TiledBed& bed, const nscd::ContactSettings& settings, int steps)
 {
-    scene.grains = dynamics.grains();
-    double lastDeltaT = 0.0;
-    std::vector<nscd::StoredImpulse> impulses = dynamics.checkpoint(lastDeltaT);
-    return {std::move(scene), std::move(impulses), lastDeltaT};
+    TiledBed one = bed;
+    one.tilesX = one.tilesY = 1;
+    auto dynamics = one.whole().build(settings);
+    calm(dynamics, steps);
+    bed.tile = dynamics.grains().position;
+    Impulses impulses;
+    impulses.all = dynamics.checkpoint(impulses.deltaT);
+    return impulses;
 }
 
-/// Which tile, from that of a, an impulse's other grain is in: its image next to a.
-Vec3 stepsToOther(const State& tile, const nscd::StoredImpulse& impulse)
+/// How many tiles away, from that of a, an impulse's other grain is: its image next to a.
+std::array<int, 2> tilesToOther(const TiledBed& bed, const nscd::StoredImpulse& impulse)
 {
-    const Vec3 apart = tile.scene.grains.position[impulse.idA] - tile.scene.grains.position[impulse.idB], period = tile.scene.box.length;
-    return Vec3(std::round(apart[0]/period[0]), std::round(apart[1]/period[1]), 0);
+    const Vec3 apart = bed.tile[impulse.idA] - bed.tile[impulse.idB];
+    return {static_cast<int>(std::round(apart[0]/bed.width)), static_cast<int>(std::round(apart[1]/bed.depth))};
 }
 
-/// Copies of a bed side by side. Its grains are numbered as they lie in memory.
-State sideBySide(const State& tile, int tilesX, int tilesY)
+/// A tile's impulses in all tiles, whose grains are numbered one tile after the other.
+Impulses tiled(const Impulses& tile, const TiledBed& bed)
 {
-    const nscd::Grains& grains = tile.scene.grains;
-    const Vec3 period = tile.scene.box.length;
-    const auto n = static_cast<std::int64_t>(grains.size());
-    State all{emptyBed(tilesX*period[0], tilesY*period[1]), {}, tile.lastDeltaT};
-    for (int j = 0; j < tilesY; ++j)
-    for (int i = 0; i < tilesX; ++i)
+    const auto n = static_cast<std::int64_t>(bed.tile.size());
+    Impulses impulses{{}, tile.deltaT};
+    for (int j = 0; j < bed.tilesY; ++j)
+    for (int i = 0; i < bed.tilesX; ++i)
+    for (nscd::StoredImpulse impulse : tile.all)
     {
-        const std::int64_t first = n*(i + tilesX*j);
-        for (std::size_t k = 0; k < grains.size(); ++k)
+        if (impulse.idB >= 0)
         {
-            const std::size_t at = all.scene.grains.size();
-            all.scene.grains.add(grains.position[k] + Vec3(i*period[0], j*period[1], 0), radius, density, 0, static_cast<std::int64_t>(at));
-            all.scene.grains.velocity[at] = grains.velocity[k];
-            all.scene.grains.omega[at] = grains.omega[k];
+            const auto [right, up] = tilesToOther(bed, impulse);
+            const int column = (i + right + bed.tilesX) % bed.tilesX, row = (j + up + bed.tilesY) % bed.tilesY;
+            impulse.idB += n*(column + bed.tilesX*row);
         }
-        for (nscd::StoredImpulse impulse : tile.impulses)
-        {
-            if (impulse.idB >= 0)
-            {
-                const Vec3 steps = stepsToOther(tile, impulse);
-                const int column = (i + static_cast<int>(steps[0]) + tilesX) % tilesX, row = (j + static_cast<int>(steps[1]) + tilesY) % tilesY;
-                impulse.idB += n*(column + tilesX*row);
-            }
-            impulse.idA += first;
-            all.impulses.push_back(impulse);
-        }
+        impulse.idA += n*(i + bed.tilesX*j);
+        impulses.all.push_back(impulse);
     }
-    return all;
+    return impulses;
 }
 
 struct Means
@@ -134,11 +126,6 @@ void measure(const char* name, nscd::GrainDynamics& dynamics, int steps)
     std::fflush(stdout);
 }
 
-void measureWindows(bool sleep, nscd::GrainDynamics& dynamics, int steps)
-{
-    for (int k = 0; k < 3; ++k) measure(sleep ? "may sleep" : "awake", dynamics, steps);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -154,23 +141,15 @@ int main(int argc, char** argv)
     settings.vectorPath = o.at("vectorPath");
     std::printf("what,grains,contacts,candidates,sweeps,listsBuilt,converged,msPerStep,nsPerGrain,findPairsMs,buildContactsMs,solveContactsMs,"
                 "moveGrainsMs,kineticEnergy,asleep\n");
-    const int steps = std::stoi(o.at("steps")), tilesX = std::stoi(o.at("tilesX")), tilesY = std::stoi(o.at("tilesY"));
-    const Scene tile = TiledBed(argv[1], 1, 1).whole();
+    TiledBed bed(argv[1], std::stoi(o.at("tilesX")), std::stoi(o.at("tilesY")));
     for (const bool sleep : {false, true})
     {
         if (sleep && o.at("sleep") != "yes") break;
         settings.sleep = sleep;
-        auto dynamics = tile.build(settings);
-        calm(dynamics, std::stoi(o.at("warmUp")));
-        if (tilesX*tilesY == 1)
-        {
-            measureWindows(sleep, dynamics, steps);
-            continue;
-        }
-        const State all = sideBySide(stateOf(dynamics, tile), tilesX, tilesY);
-        auto many = all.scene.build(settings);
-        many.restore(all.impulses, all.lastDeltaT);
-        calm(many, stepsSideBySide);
-        measureWindows(sleep, many, steps);
+        const Impulses impulses = tiled(settle(bed, settings, std::stoi(o.at("warmUp"))), bed);
+        auto dynamics = bed.whole().build(settings);
+        dynamics.restore(impulses.all, impulses.deltaT);
+        calm(dynamics, std::stoi(o.at("calm")));
+        for (int k = 0; k < 3; ++k) measure(sleep ? "may sleep" : "awake", dynamics, std::stoi(o.at("steps")));
     }
 }
