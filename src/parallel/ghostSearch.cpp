@@ -8,7 +8,9 @@
 #include "invalidValue.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <tuple>
 
 namespace nscd
@@ -46,14 +48,62 @@ std::vector<ReachBall> ballsOf(int rank, const Grains& grains, const std::vector
     return balls;
 }
 
-Box boxAround(const std::vector<ReachBall>& balls)
+struct Interval
 {
-    Box around;
+    double lower = 0.0, upper = 0.0;
+
+    double length() const { return upper - lower; }
+};
+
+/// Around the balls along an axis, where images are meant of those that lie before `cut` [m].
+Interval intervalBehind(const std::vector<ReachBall>& balls, int axis, double cut, double period)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Interval around{infinity, -infinity};
     for (const ReachBall& ball : balls)
     {
-        const Vec3 center(ball.position.data());
-        const Vec3 extent = Vec3::Constant(ball.radius + ball.reach);
-        around.extend(Box(center - extent, center + extent));
+        const double x = ball.position[axis] + (ball.position[axis] < cut ? period : 0.0), extent = ball.radius + ball.reach;
+        around = {std::min(around.lower, x - extent), std::max(around.upper, x + extent)};
+    }
+    return around;
+}
+
+/// Middle of the longest part of a periodic axis in which no center lies, to a share of the period [m].
+double middleOfLongestGap(const std::vector<ReachBall>& balls, int axis, double period)
+{
+    constexpr int parts = 64;
+    std::array<bool, parts> isTaken{};
+    for (const ReachBall& ball : balls) isTaken[std::min(parts - 1, static_cast<int>(parts*(ball.position[axis]/period)))] = true;
+    int longest = 0, end = 0, run = 0;
+    for (int k = 0; k < 2*parts; ++k)
+    {
+        run = isTaken[k % parts] ? 0 : std::min(run + 1, parts);
+        if (run > longest) { longest = run; end = k + 1; }
+    }
+    return std::fmod((end - 0.5*longest)/parts, 1.0)*period;
+}
+
+/// Around the balls along an axis. A rank at a periodic side has grains that went across it: their images beside the others are meant, or its
+/// box would be as long as the period.
+Interval intervalAround(const std::vector<ReachBall>& balls, int axis, double period)
+{
+    const Interval plain = intervalBehind(balls, axis, 0.0, 0.0);
+    if (!(period > 0.0)) return plain;
+    const Interval moved = intervalBehind(balls, axis, middleOfLongestGap(balls, axis, period), period);
+    if (moved.length() >= plain.length()) return plain;
+    const double back = moved.lower + moved.upper > 2.0*period ? period : 0.0;
+    return {moved.lower - back, moved.upper - back};
+}
+
+Box boxAround(const std::vector<ReachBall>& balls, const PeriodicBox& box)
+{
+    Box around;
+    if (balls.empty()) return around;
+    for (int k = 0; k < 3; ++k)
+    {
+        const Interval along = intervalAround(balls, k, box.length[k]);
+        around.min()[k] = along.lower;
+        around.max()[k] = along.upper;
     }
     return around;
 }
@@ -62,8 +112,8 @@ Box boxAround(const std::vector<ReachBall>& balls)
 double gapTo(double x, double lower, double upper, double period)
 {
     const auto gap = [=](double image) { return std::max({0.0, lower - image, image - upper}); };
-    // One period to either side is enough: centers are wrapped, and an interval reaches beyond the box by a sphere at most, so
-    // that an image that is farther is not nearer.
+    // One period to either side is enough: coordinates lie in the first period, and the middle of an interval does too or the interval
+    // is a whole period long.
     return period > 0.0 ? std::min({gap(x), gap(x - period), gap(x + period)}) : gap(x);
 }
 
@@ -90,7 +140,7 @@ GhostGrain ghostOf(const ReachBall& ball)
 /// Balls of other ranks that meet this rank's box: at the last level, this rank is a half.
 std::vector<ReachBall> routeDown(const RankTree& tree, const std::vector<ReachBall>& own, const PeriodicBox& box)
 {
-    const std::vector<HalfBoxes> halves = boxesOfHalves(tree, boxAround(own));
+    const std::vector<HalfBoxes> halves = boxesOfHalves(tree, boxAround(own, box));
     std::vector<ReachBall> received;
     for (std::size_t l = 0; l < halves.size(); ++l)
     {
