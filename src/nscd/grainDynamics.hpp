@@ -87,6 +87,8 @@ public:
     void drive(std::size_t grain, const Vec3& velocity, const Vec3& omega);
     /// Load of each grain on contact search and solve: the candidates it has a share in, and one for itself.
     std::vector<double> loads() const;
+    /// Number of grains of other ranks that are near enough to those here to be looked at; 0 before the first beginStep() after grains were set.
+    std::size_t ghosts() const;
 
     /// Finds pairs and builds the contacts at the present positions for a step of length dt [s]; again before advance(): for another dt.
     /// Errors: std::invalid_argument for dt <= 0, coincident centers

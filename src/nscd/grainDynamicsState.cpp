@@ -139,6 +139,8 @@ std::vector<double> GrainDynamics::loads() const
     return load;
 }
 
+std::size_t GrainDynamics::ghosts() const { return self_->isListStale ? 0 : self_->list.ghosts.size() + self_->list.solvedElsewhere.size(); }
+
 const std::vector<Vec3>& GrainDynamics::contactForce() const { return self_->forces.force; }
 const std::vector<Vec3>& GrainDynamics::contactTorque() const { return self_->forces.torque; }
 const std::vector<Vec3>& GrainDynamics::wallForce() const { return self_->forces.wall; }

@@ -41,12 +41,13 @@ void CoupledRun::balanceRanks()
     const auto timer = timing_.time(StepPart::advanceGrains);
     if (!ranks_.isTimeToLook() || !hasGrains()) return;
     const std::vector<double> load = dynamics_->loads();
-    if (!ranks_.isUneven(load)) return;
+    const bool areMixed = ranks_.areMixed(dynamics_->ghosts(), dynamics_->grains().size());
+    if (!ranks_.isUneven(load) && !areMixed) return;
     setState(ranks_.share(takeState(), load));
     Info<< formatted
         (
-            "  grains shared out anew: largest over mean load of the ranks %.3g, was %.3g",
-            ranks_.imbalanceAfter(), ranks_.imbalanceBefore()
+            "  grains shared out anew: largest over mean load of the ranks %.3g, was %.3g%s",
+            ranks_.imbalanceAfter(), ranks_.imbalanceBefore(), areMixed ? "; the ranks' grains had mixed" : ""
         ).c_str() << endl;
 }
 

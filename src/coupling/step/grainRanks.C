@@ -28,6 +28,9 @@ constexpr label stepsBetweenLooks = 10;
 /// What the last share() left may grow by this before it is tried again.
 constexpr scalar hopeForBetter = 1.1;
 
+/// Ranks have mixed where they look at more grains of others than this times as many as after the last share(), and at this share of all.
+constexpr scalar mixedGhosts = 2.0, fewGhosts = 0.05;
+
 /// Where each contact's first grain, one of this rank's, goes.
 std::vector<int> destinationsOfContacts(const GrainState& state, const std::vector<int>& destination)
 {
@@ -107,6 +110,7 @@ GrainState GrainRanks::share(const GrainState& state, std::vector<double> load)
     before_ = imbalanceOf(load);
     after_ = imbalanceOf(::nscd::Migration(mpi_->tree().all(), owner).move(load));
     steps_ = 0;
+    ghosts_ = 0;
     return moved(state, owner);
 }
 
@@ -118,6 +122,15 @@ bool GrainRanks::isTimeToLook()
 bool GrainRanks::isUneven(const std::vector<double>& load)
 {
     return imbalanceOf(load) > std::max(maxLoadImbalance_, hopeForBetter*after_);
+}
+
+bool GrainRanks::areMixed(std::size_t ghosts, std::size_t grains)
+{
+    double sums[2] = {static_cast<double>(ghosts), static_cast<double>(grains)};
+    exchange_->sum(sums, 2);
+    if (ghosts_ > 0) return sums[0] > mixedGhosts*ghosts_ && sums[0] > fewGhosts*sums[1];
+    ghosts_ = sums[0];
+    return false;
 }
 
 scalar GrainRanks::imbalanceOf(const std::vector<double>& load) const

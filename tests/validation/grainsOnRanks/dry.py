@@ -4,6 +4,7 @@
 
 import math
 import statistics
+from pathlib import Path
 
 from foamCase import BoxCase
 from sameGrains import BUILD, G, ROOT, SKINS, byId, checkEveryStep, checkSameBits, checkSamePaths, homes, runCut, wallForces
@@ -92,6 +93,28 @@ def smoothCollapse(verdict):
         cut = runCut(case, parts)
         checkEveryStep(verdict, case, cut, False)
         checkSamePaths(verdict, case, cut, case.times()[-1], 1e-8)
+
+
+# Streams that pass one another along a period: loads stay even while the ranks' grains mix
+
+STREAM_DT, STREAM_STEPS = 4e-3, 100
+STREAM = "%s { type lattice; box (0 %g 0) (0.4 %g 0.005); count (60 5 1); diameter 5e-3; jitter 0.5; velocity (%g 0 0); }"
+
+
+def streams(verdict):
+    """Each stream moves by half the period. Log: the grains were shared out anew for it, and not in every look (one in ten steps)."""
+    case = BoxCase(BUILD/"streams", (0, 0, 0), (0.4, 0.08, 0.005), (40, 8, 1), dict(yMin="wall", yMax="wall", zMin="empty", zMax="empty"))
+    case.gravity((0, 0, 0))
+    case.grains("materials { stone { density 2500; } } contacts { default { friction 0.3; } } fluid none; grains { %s %s }"
+                % (STREAM % ("lower", 0.002, 0.038, 0.5), STREAM % ("upper", 0.042, 0.078, -0.5)))
+    case.control(STREAM_DT, STREAM_STEPS*STREAM_DT, extra="writeFormat binary;")
+    case.run()
+    for parts in ((2, 1, 1), (4, 1, 1)):
+        cut = runCut(case, parts)
+        checkEveryStep(verdict, case, cut, False)
+        checkSamePaths(verdict, case, cut, case.times()[-1], 1e-9)
+        shared = (Path(cut.folder)/"log.ranks").read_text().count("grains had mixed")
+        verdict.below(cut.label + ": shared out anew for mixing, 1 to 4 times", abs(shared - 2.5), 1.5, "%d times" % shared)
 
 
 # A bed at rest, tilted
