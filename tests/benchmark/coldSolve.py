@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """Cold solves of settled beds by every solver: sweeps and work (time in plain sweeps) to 1e-2 and 1e-3 against size and depth; and how sweeps
-of the default solver grow with N at one shape, to 100 layers.
+of the default solver grow with N at one shape, to 100 layers. coldSolve.py [growth]: that alone.
 
 Beds that are missing in build/beds are settled first, some minutes each."""
 
 import math
+import sys
 
 from coreRun import bed, rows, tableOf
 from results import pyplot, savePicture
@@ -16,25 +17,31 @@ DEPTHS = (25, 50, 100)
 # And the number of solves of each, over which sweeps are averaged: they scatter by a third.
 SOLVERS = {"NLGS": 10, "plain": 10, "NNCG": 10, "APG": 3, "queue": 3}
 MAX_SWEEPS = 3000
-# Beds of one shape: grains per side of a tile, layers, tiles along either side, solves. The last has 640 000 grains and takes a minute.
-ONE_SHAPE = ((10, 12, 1, 5), (13, 16, 1, 5), (20, 25, 1, 5), (10, 50, 4, 1), (10, 100, 8, 1))
+# Beds of one shape: grains per side of a tile, layers, tiles along either side, solves; of each shape so many beds. The last has 640 000 grains
+# and takes a minute a solve.
+ONE_SHAPE = ((10, 12, 1, 5), (13, 16, 1, 5), (20, 25, 1, 5), (10, 50, 4, 2), (10, 100, 8, 2))
+SEEDS = (1, 2, 3)
 HISTORY = (20, 25)
 
 
 def main():
+    if sys.argv[1:] == ["growth"]:
+        return growth()
     measured = (({"perSide": perSide, "layers": layers}, rows("coldSolve", "sweeps", bed(perSide, layers), samples, MAX_SWEEPS, solver))
                 for perSide, layers in SHAPES for solver, samples in SOLVERS.items())
     draw(tableOf("coldSolve", measured))
-    growth()
+    return growth()
 
 
 def growth():
-    measured = (({"layers": layers, "tiles": tiles}, rows("coldSolve", "sweeps", bed(perSide, layers), samples, MAX_SWEEPS, "NLGS", tiles))
-                for perSide, layers, tiles, samples in ONE_SHAPE)
+    measured = (({"layers": layers, "tiles": tiles, "seed": seed}, rows("coldSolve", "sweeps", bed(perSide, layers, seed), samples, MAX_SWEEPS, "NLGS", tiles))
+                for perSide, layers, tiles, samples in ONE_SHAPE for seed in SEEDS)
     table = tableOf("coldSolveGrowth", measured)
     for tolerance in (1e-2, 1e-3):
         grains, sweeps = (table.column(name, tolerance=tolerance) for name in ("grains", "sweeps"))
-        print("sweeps to %g grow as N^%.2f over all, as N^%.2f from 25 layers on" % (tolerance, exponent(grains, sweeps), exponent(grains[2:], sweeps[2:])))
+        shallow = 2*len(SEEDS)
+        print("sweeps to %g grow as N^%.2f over all, as N^%.2f from 25 layers on"
+              % (tolerance, exponent(grains, sweeps), exponent(grains[shallow:], sweeps[shallow:])))
 
 
 def exponent(x, y):

@@ -13,13 +13,14 @@ BEDS = ROOT/"build/beds"
 SETTLING = 2000     # steps
 
 
-def bed(perSide, layers):
-    """The file of a settled bed of perSide x perSide x layers grains with periodic sides; settled first if it is not there, some minutes."""
-    path = BEDS/("bed%dx%d.dat" % (perSide, layers))
+def bed(perSide, layers, seed=1):
+    """The file of a settled bed of perSide x perSide x layers grains with periodic sides, another one for each seed; settled first if it is not
+    there, some minutes."""
+    path = BEDS/("bed%dx%d%s.dat" % (perSide, layers, "" if seed == 1 else ".%d" % seed))
     if not path.exists():
         BEDS.mkdir(parents=True, exist_ok=True)
         print("settling %s" % path.relative_to(ROOT), flush=True)
-        subprocess.run([PROGRAMS/"coldSolve", "settle", path, str(perSide), str(layers), str(SETTLING)], check=True)
+        subprocess.run([PROGRAMS/"coldSolve", "settle", path, str(perSide), str(layers), str(SETTLING), str(seed)], check=True)
     return path
 
 

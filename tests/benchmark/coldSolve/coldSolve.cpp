@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What each solver takes to solve a settled bed from cold, as CSV.
-// coldSolve settle FILE perSide layers steps       makes a bed with periodic sides
+// coldSolve settle FILE perSide layers steps [seed]   makes a bed with periodic sides; another one for each seed
 // coldSolve sweeps FILE samples maxSweeps SOLVER [tiles]   sweeps and work to 1e-2 and 1e-3, mean of so many slightly different problems;
 //                                                  of a bed of tiles x tiles times FILE
 // coldSolve history FILE maxSweeps SOLVER          residual after 1, 2, 4, ... sweeps
@@ -105,9 +105,9 @@ int number(const char* word) { return std::atoi(word); }
 int main(int argc, char** argv)
 {
     const std::string what = argc > 2 ? argv[1] : "";
-    if (what == "settle" && argc == 6)
+    if (what == "settle" && (argc == 6 || argc == 7))
     {
-        settleBed(argv[2], number(argv[3]), number(argv[4]), number(argv[5]));
+        settleBed(argv[2], number(argv[3]), number(argv[4]), number(argv[5]), argc == 7 ? number(argv[6]) : 1);
         return 0;
     }
     if ((what == "sweeps" && (argc == 6 || argc == 7)) || (what == "history" && argc == 5))
@@ -118,6 +118,6 @@ int main(int argc, char** argv)
         else printHistory(bed, number(argv[3]), argv[4]);
         return 0;
     }
-    std::printf("coldSolve settle FILE PERSIDE LAYERS STEPS | sweeps FILE SAMPLES MAXSWEEPS SOLVER [TILES] | history FILE MAXSWEEPS SOLVER\n");
+    std::printf("coldSolve settle FILE PERSIDE LAYERS STEPS [SEED] | sweeps FILE SAMPLES MAXSWEEPS SOLVER [TILES] | history FILE MAXSWEEPS SOLVER\n");
     return 1;
 }

@@ -15,9 +15,9 @@ namespace scenes
 {
 
 /// Lets a jittered lattice, 1.1 d apart, settle in a viscous medium, and writes it to a file.
-inline void settleBed(const std::string& path, int perSide, int layers, int steps)
+inline void settleBed(const std::string& path, int perSide, int layers, int steps, unsigned seed = 1)
 {
-    const Scene scene = latticeBed(perSide, layers);
+    const Scene scene = latticeBed(perSide, layers, seed);
     auto dynamics = scene.build(nscd::ContactSettings());
     for (int k = 0; k < steps; ++k) stepDamped(dynamics, scene.g, deltaT);
     writeBed(path, scene.box, dynamics.grains().position);

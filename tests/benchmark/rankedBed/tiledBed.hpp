@@ -25,10 +25,10 @@ inline Scene emptyBed(double width, double depth)
     return scene;
 }
 
-/// A jittered lattice of perSide x perSide x layers, 1.1 d apart.
-inline Scene latticeBed(int perSide, int layers)
+/// A jittered lattice of perSide x perSide x layers, 1.1 d apart; another one for each seed.
+inline Scene latticeBed(int perSide, int layers, unsigned seed = 1)
 {
-    std::mt19937 random(1);
+    std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1, 1);
     const double spacing = 2.2*radius;
     Scene scene = emptyBed(perSide*spacing, perSide*spacing);
