@@ -27,7 +27,7 @@ constexpr double blow = 1.0;
 /// 80 a grain in place of 21). With a quarter of it a collapse needs two lists in place of one.
 constexpr double widestMiss = 1.0;
 /// Steps that grains are expected to move on as they do. In a collapse lists cost 9 ms a step with 4; with 2 and 3 steps 16 and 13, and 5 gain nothing. Where
-/// grains hit each other at speed, as in rain on a bed, lists for that long are longer than all others together.
+/// grains hit each other at speed, as in rain on a bed, one list for that long holds more candidates than two for half of it.
 constexpr double mostStepsOfPaths = 4.0, fewestStepsOfPaths = 1.5, widestScatter = 0.5;
 
 void checkLength(const char* name, std::size_t length, std::size_t grains)

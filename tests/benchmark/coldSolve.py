@@ -25,12 +25,15 @@ HISTORY = (20, 25)
 
 
 def main():
-    if sys.argv[1:] == ["growth"]:
-        return growth()
+    if sys.argv[1:] != ["growth"]:
+        bySolver()
+    growth()
+
+
+def bySolver():
     measured = (({"perSide": perSide, "layers": layers}, rows("coldSolve", "sweeps", bed(perSide, layers), samples, MAX_SWEEPS, solver))
                 for perSide, layers in SHAPES for solver, samples in SOLVERS.items())
     draw(tableOf("coldSolve", measured))
-    return growth()
 
 
 def growth():

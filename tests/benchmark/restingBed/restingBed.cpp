@@ -48,7 +48,7 @@ void calm(nscd::GrainDynamics& dynamics, int steps)
     for (int k = 0; k < steps; ++k) stepDamped(dynamics, Vec3(0, 0, -gravity), deltaT);
 }
 
-/// The grains and impulses of one tile at rest; the bed's tile lies there then.
+/// Lets one tile come to rest, and the bed's tile lie as it does then. Returns its impulses.
 Impulses settle(TiledBed& bed, const nscd::ContactSettings& settings, int steps)
 {
     TiledBed one = bed;
@@ -142,11 +142,12 @@ int main(int argc, char** argv)
     std::printf("what,grains,contacts,candidates,sweeps,listsBuilt,converged,msPerStep,nsPerGrain,findPairsMs,buildContactsMs,solveContactsMs,"
                 "moveGrainsMs,kineticEnergy,asleep\n");
     TiledBed bed(argv[1], std::stoi(o.at("tilesX")), std::stoi(o.at("tilesY")));
+    settings.sleep = false;
+    const Impulses impulses = tiled(settle(bed, settings, std::stoi(o.at("warmUp"))), bed);
     for (const bool sleep : {false, true})
     {
         if (sleep && o.at("sleep") != "yes") break;
         settings.sleep = sleep;
-        const Impulses impulses = tiled(settle(bed, settings, std::stoi(o.at("warmUp"))), bed);
         auto dynamics = bed.whole().build(settings);
         dynamics.restore(impulses.all, impulses.deltaT);
         calm(dynamics, std::stoi(o.at("calm")));
