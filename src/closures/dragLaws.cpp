@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The drag laws, one function each, and under them the table that names them.
-#include "dragLaws.hpp"
+#include "closures/dragLaws.hpp"
 
 #include <cmath>
 #include <stdexcept>

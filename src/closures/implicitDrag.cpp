@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Implementation of implicitDrag.hpp.
-#include "implicitDrag.hpp"
+#include "closures/implicitDrag.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -14,7 +14,7 @@
 // k' = k and no remainder; the exponential weight has k' = k/2 + O(k^2) and k' = k - 1 + O(k exp(-k)).
 #pragma once
 
-#include "dragLaws.hpp"
+#include "closures/dragLaws.hpp"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Implementation of sphereOverlap.hpp.
-#include "sphereOverlap.hpp"
+#include "closures/sphereOverlap.hpp"
 
 #include <algorithm>
 #include <cmath>

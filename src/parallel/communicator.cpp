@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Reductions and messages by MPI.
-#include "communicator.hpp"
+#include "parallel/communicator.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -4,7 +4,7 @@
 // A group of ranks: reductions, and messages between few of them. The one place that calls MPI.
 #pragma once
 
-#include "message.hpp"
+#include "parallel/message.hpp"
 
 #include <mpi.h>
 

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Boxes up the tree of ranks, grains down.
-#include "ghostSearch.hpp"
+#include "parallel/ghostSearch.hpp"
 
-#include "halfBoxes.hpp"
-#include "invalidValue.hpp"
+#include "nscd/base/invalidValue.hpp"
+#include "parallel/halfBoxes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 // Which grains of other ranks could touch one of this rank.
 #pragma once
 
-#include "exchange.hpp"
-#include "rankTree.hpp"
+#include "nscd/scene/exchange.hpp"
+#include "parallel/rankTree.hpp"
 
 namespace nscd
 {

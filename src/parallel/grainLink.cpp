@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Packing values by home, and back.
-#include "grainLink.hpp"
+#include "parallel/grainLink.hpp"
 
-#include "invalidValue.hpp"
+#include "nscd/base/invalidValue.hpp"
 
 #include <algorithm>
 

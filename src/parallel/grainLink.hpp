@@ -4,7 +4,7 @@
 // Between the ranks that own grains and those that work for them elsewhere: their homes in a mesh, say.
 #pragma once
 
-#include "communicator.hpp"
+#include "parallel/communicator.hpp"
 
 namespace nscd
 {

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Tickets of the grains go down the tree of ranks; their homes are told where they ended.
-#include "grainPartition.hpp"
+#include "parallel/grainPartition.hpp"
 
-#include "invalidValue.hpp"
+#include "nscd/base/invalidValue.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 // Who should own each grain: recursive coordinate bisection on weights.
 #pragma once
 
-#include "rankTree.hpp"
-#include "vec3.hpp"
+#include "nscd/base/vec3.hpp"
+#include "parallel/rankTree.hpp"
 
 namespace nscd
 {

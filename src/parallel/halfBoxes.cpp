@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Boxes up the tree of ranks.
-#include "halfBoxes.hpp"
+#include "parallel/halfBoxes.hpp"
 
-#include "vec3.hpp"
+#include "nscd/base/vec3.hpp"
 
 #include <array>
 

@@ -4,7 +4,7 @@
 // The boxes of the tree of ranks: what they hold is found by going down it.
 #pragma once
 
-#include "rankTree.hpp"
+#include "parallel/rankTree.hpp"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Telling and asking the keepers.
-#include "idDirectory.hpp"
+#include "parallel/idDirectory.hpp"
 
 namespace nscd
 {

@@ -4,7 +4,7 @@
 // Who owns the grain of an identity: for the few moments, as a restart, when nobody near knows.
 #pragma once
 
-#include "communicator.hpp"
+#include "parallel/communicator.hpp"
 
 #include <unordered_map>
 

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Packing of grains for their new owners.
-#include "migration.hpp"
+#include "parallel/migration.hpp"
 
-#include "invalidValue.hpp"
+#include "nscd/base/invalidValue.hpp"
 
 #include <algorithm>
 #include <array>

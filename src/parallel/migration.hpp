@@ -4,8 +4,9 @@
 // Grains, and whatever belongs to them, on their way to new owners.
 #pragma once
 
-#include "communicator.hpp"
-#include "grainDynamics.hpp"
+#include "nscd/scene/grains.hpp"
+#include "nscd/scene/storedImpulse.hpp"
+#include "parallel/communicator.hpp"
 
 namespace nscd
 {

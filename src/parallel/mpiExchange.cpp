@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Ghosts and their owners, joined by messages between neighbors.
-#include "mpiExchange.hpp"
+#include "parallel/mpiExchange.hpp"
 
-#include "ghostSearch.hpp"
-#include "invalidValue.hpp"
+#include "nscd/base/invalidValue.hpp"
+#include "parallel/ghostSearch.hpp"
 
 #include <algorithm>
 #include <numeric>

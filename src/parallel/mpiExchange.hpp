@@ -4,8 +4,8 @@
 // What the grain library needs from other ranks, by MPI.
 #pragma once
 
-#include "exchange.hpp"
-#include "rankTree.hpp"
+#include "nscd/scene/exchange.hpp"
+#include "parallel/rankTree.hpp"
 
 namespace nscd
 {

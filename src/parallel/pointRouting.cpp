@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Boxes up the tree of ranks, points down.
-#include "pointRouting.hpp"
+#include "parallel/pointRouting.hpp"
 
-#include "halfBoxes.hpp"
+#include "parallel/halfBoxes.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -4,8 +4,8 @@
 // Points to the ranks in whose boxes they lie.
 #pragma once
 
-#include "rankTree.hpp"
-#include "vec3.hpp"
+#include "nscd/base/vec3.hpp"
+#include "parallel/rankTree.hpp"
 
 #include <array>
 

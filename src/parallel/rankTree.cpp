@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Halving of the ranks.
-#include "rankTree.hpp"
+#include "parallel/rankTree.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 // The ranks halved again and again, so that what is for any of them finds its way in log2(size) hops.
 #pragma once
 
-#include "communicator.hpp"
+#include "parallel/communicator.hpp"
 
 namespace nscd
 {

@@ -4,10 +4,10 @@
 // Tests of written times: what is read back, in every format, and what is said about damaged files.
 #include "caseTools.H"
 
-#include "case/grainCloud.H"
-#include "case/runState.H"
-#include "case/writtenFiles.H"
-#include "vectorConversion.H"
+#include "coupling/base/vectorConversion.H"
+#include "coupling/case/files/grainCloud.H"
+#include "coupling/case/files/runState.H"
+#include "coupling/case/files/writtenFiles.H"
 
 #include "OSspecific.H"
 #include "passiveParticleCloud.H"

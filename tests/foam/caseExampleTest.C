@@ -5,7 +5,7 @@
 // the defaults it states are the defaults.
 #include "caseTools.H"
 
-#include "case/grainProperties.H"
+#include "coupling/case/input/grainProperties.H"
 
 #include "IFstream.H"
 #include "OSspecific.H"

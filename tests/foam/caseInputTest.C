@@ -4,8 +4,8 @@
 // Tests of grainProperties as text: what a short one means, and what is said about bad ones.
 #include "caseTools.H"
 
-#include "case/dictionaryCheck.H"
-#include "case/grainProperties.H"
+#include "coupling/case/input/dictionaryCheck.H"
+#include "coupling/case/input/grainProperties.H"
 
 #include "dimensionSets.H"
 

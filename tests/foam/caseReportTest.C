@@ -4,11 +4,11 @@
 // Tests of report.csv, of the seven timers, and of grains that leave.
 #include "caseTools.H"
 
-#include "case/grainExits.H"
-#include "case/grainReport.H"
-#include "case/grainScene.H"
-#include "case/logText.H"
-#include "case/timingTable.H"
+#include "coupling/case/log/grainReport.H"
+#include "coupling/case/log/logText.H"
+#include "coupling/case/log/timingTable.H"
+#include "coupling/case/start/grainScene.H"
+#include "coupling/case/walls/grainExits.H"
 
 #include "OSspecific.H"
 

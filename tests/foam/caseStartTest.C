@@ -4,9 +4,9 @@
 // Tests of the first grains of a case: where they are put, and what is refused.
 #include "caseTools.H"
 
-#include "case/grainScene.H"
-#include "case/initialChecks.H"
-#include "case/materialsReader.H"
+#include "coupling/case/input/materialsReader.H"
+#include "coupling/case/start/grainScene.H"
+#include "coupling/case/start/initialChecks.H"
 
 #include "OFstream.H"
 #include "OSspecific.H"

@@ -4,9 +4,9 @@
 // Tests of walls made from boundary faces: regions, outlines, areas, and that a closed surface stays closed.
 #include "caseTools.H"
 
-#include "case/coplanarRegions.H"
-#include "case/meshWalls.H"
-#include "vectorConversion.H"
+#include "coupling/base/vectorConversion.H"
+#include "coupling/case/walls/coplanarRegions.H"
+#include "coupling/case/walls/meshWalls.H"
 
 #include "primitivePatch.H"
 #include "mathematicalConstants.H"

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // The patch by which a grain left, asked of the ranks of a decomposed mesh, against the whole mesh.
 
-#include "case/grainExits.H"
+#include "coupling/case/walls/grainExits.H"
 #include "mappingTools.H"
 #include "ranksMesh.H"
 
-#include "mpiExchange.hpp"
+#include "parallel/mpiExchange.hpp"
 
 #include <gtest/gtest.h>
 

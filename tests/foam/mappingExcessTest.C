@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // What a face takes from a ball, against its definition by the contributions of the closures.
 
-#include "ballFaceExcess.H"
-#include "sphereOverlap.hpp"
+#include "closures/sphereOverlap.hpp"
+#include "coupling/mapping/overlap/ballFaceExcess.H"
 
 #include <gtest/gtest.h>
 

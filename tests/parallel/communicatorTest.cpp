@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Reductions, sparse messages and the tree of ranks against what every rank can work out.
-#include "rankTree.hpp"
+#include "parallel/rankTree.hpp"
 
 #include <gtest/gtest.h>
 

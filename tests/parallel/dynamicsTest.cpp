@@ -4,7 +4,7 @@
 // Grains on several ranks do what they do on one, whatever the cut.
 #include "rankedScene.hpp"
 
-#include "unit/nscd/naturalMap.hpp"
+#include "unit/nscd/scenes/naturalMap.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Ghosts against brute force over all grains.
-#include "ghostSearch.hpp"
+#include "parallel/ghostSearch.hpp"
 #include "sharedScene.hpp"
 
 #include <gtest/gtest.h>

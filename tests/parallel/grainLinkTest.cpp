@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Values of grains to their homes and back, whoever owns them and wherever they are at home.
-#include "grainLink.hpp"
+#include "parallel/grainLink.hpp"
 
 #include <gtest/gtest.h>
 

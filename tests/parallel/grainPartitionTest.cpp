@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Shares of the ranks: balanced, complete, compact.
-#include "grainPartition.hpp"
+#include "parallel/grainPartition.hpp"
 #include "sharedScene.hpp"
 
 #include <gtest/gtest.h>

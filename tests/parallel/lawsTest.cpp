@@ -4,7 +4,7 @@
 // Rolling friction, cohesion and driven grains across ranks.
 #include "rankedScene.hpp"
 
-#include "unit/nscd/rollingMap.hpp"
+#include "unit/nscd/scenes/rollingMap.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Grains and what belongs to them arrive once, unchanged and in one order.
-#include "migration.hpp"
+#include "parallel/migration.hpp"
 #include "sharedScene.hpp"
 
 #include <gtest/gtest.h>

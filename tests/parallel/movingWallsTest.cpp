@@ -4,7 +4,7 @@
 // Walls that move, on several ranks: every rank holds them all, and forces and torques are those of all ranks' grains.
 #include "rankedScene.hpp"
 
-#include "unit/nscd/drums.hpp"
+#include "unit/nscd/scenes/drums.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Numbers of ghosts to and from their owners, impulses to theirs.
-#include "mpiExchange.hpp"
+#include "parallel/mpiExchange.hpp"
 #include "sharedScene.hpp"
 
 #include <gtest/gtest.h>

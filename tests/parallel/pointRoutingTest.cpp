@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Points find the ranks in whose boxes they lie, each once; owners of identities are found.
-#include "idDirectory.hpp"
-#include "pointRouting.hpp"
+#include "parallel/idDirectory.hpp"
+#include "parallel/pointRouting.hpp"
 
 #include <gtest/gtest.h>
 

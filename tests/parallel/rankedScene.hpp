@@ -4,10 +4,10 @@
 // A dry scene run by all ranks together, and gathered on each of them for judgment.
 #pragma once
 
-#include "grainPartition.hpp"
-#include "migration.hpp"
-#include "mpiExchange.hpp"
-#include "unit/nscd/heaps.hpp"
+#include "parallel/grainPartition.hpp"
+#include "parallel/migration.hpp"
+#include "parallel/mpiExchange.hpp"
+#include "unit/nscd/scenes/heaps.hpp"
 
 #include <algorithm>
 #include <functional>

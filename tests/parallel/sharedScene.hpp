@@ -4,8 +4,8 @@
 // Grains that every rank knows, so that each can judge by brute force what its library told it.
 #pragma once
 
-#include "communicator.hpp"
-#include "exchange.hpp"
+#include "nscd/scene/exchange.hpp"
+#include "parallel/communicator.hpp"
 
 #include <random>
 #include <string>

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // nscdDEMFoam: rigid grains with hard frictional contact in a volume-averaged incompressible fluid.
-#include "case/decomposedTimes.H"
-#include "case/parallelRefusal.H"
-#include "case/processorFolders.H"
-#include "step/coupledRun.H"
+#include "coupling/case/files/decomposedTimes.H"
+#include "coupling/case/files/processorFolders.H"
+#include "coupling/case/start/parallelRefusal.H"
+#include "coupling/step/coupledRun.H"
 
 #include "argList.H"
 

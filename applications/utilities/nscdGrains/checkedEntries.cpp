@@ -4,7 +4,7 @@
 // Checking values as they are asked for.
 #include "checkedEntries.hpp"
 
-#include "nearestWord.hpp"
+#include "nscd/base/nearestWord.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "sceneDictionary.hpp"
 
-#include "vec3.hpp"
+#include "nscd/base/vec3.hpp"
 
 #include <limits>
 

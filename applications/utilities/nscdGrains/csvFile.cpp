@@ -4,7 +4,7 @@
 // Beginning tables, going on with them, adding rows.
 #include "csvFile.hpp"
 
-#include "completeFile.hpp"
+#include "nscd/base/completeFile.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -7,7 +7,7 @@
 
 #include "checkedEntries.hpp"
 
-#include "wallMotion.hpp"
+#include "nscd/scene/wallMotion.hpp"
 
 namespace nscdGrains
 {

@@ -6,7 +6,7 @@
 
 #include "sceneError.hpp"
 
-#include "vec3.hpp"
+#include "nscd/base/vec3.hpp"
 
 namespace nscdGrains
 {

@@ -7,7 +7,7 @@
 #include "grainSources.hpp"
 #include "materialReader.hpp"
 
-#include "overlaps.hpp"
+#include "nscd/search/overlaps.hpp"
 
 #include <algorithm>
 #include <set>

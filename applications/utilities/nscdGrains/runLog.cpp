@@ -4,7 +4,7 @@
 // Writing the log.
 #include "runLog.hpp"
 
-#include "sceneWork.hpp"
+#include "nscd/tools/sceneWork.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 // Messages about scenes.
 #include "sceneError.hpp"
 
-#include "nearestWord.hpp"
+#include "nscd/base/nearestWord.hpp"
 
 namespace nscdGrains
 {

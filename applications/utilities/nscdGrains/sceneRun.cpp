@@ -12,9 +12,9 @@
 #include "vtkFiles.hpp"
 #include "wallTable.hpp"
 
-#include "nearestWord.hpp"
-#include "sceneCheckpoint.hpp"
-#include "stopwatch.hpp"
+#include "nscd/base/nearestWord.hpp"
+#include "nscd/base/stopwatch.hpp"
+#include "nscd/tools/sceneCheckpoint.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #include "motionReader.hpp"
 #include "wallReader.hpp"
 
-#include "contactSolver.hpp"
-#include "sweepKernels.hpp"
+#include "nscd/kernels/sweepKernels.hpp"
+#include "nscd/solvers/contactSolver.hpp"
 
 #include <filesystem>
 

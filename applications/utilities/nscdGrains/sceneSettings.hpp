@@ -6,8 +6,8 @@
 
 #include "checkedEntries.hpp"
 
-#include "drivenGrains.hpp"
-#include "sceneParts.hpp"
+#include "nscd/tools/drivenGrains.hpp"
+#include "nscd/tools/sceneParts.hpp"
 
 namespace nscdGrains
 {

@@ -6,8 +6,8 @@
 
 #include "csvFile.hpp"
 
-#include "stepReport.hpp"
-#include "vec3.hpp"
+#include "nscd/base/vec3.hpp"
+#include "nscd/scene/stepReport.hpp"
 
 namespace nscdGrains
 {

@@ -5,7 +5,7 @@
 #include "numberText.hpp"
 #include "vtkFiles.hpp"
 
-#include "completeFile.hpp"
+#include "nscd/base/completeFile.hpp"
 
 #include <cstdio>
 #include <functional>

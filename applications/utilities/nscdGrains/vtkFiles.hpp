@@ -4,7 +4,7 @@
 // Files that ParaView opens as they are: VTK's XML poly data, arrays appended as raw bytes, and a time series of them.
 #pragma once
 
-#include "grainDynamics.hpp"
+#include "nscd/step/grainDynamics.hpp"
 
 #include <string>
 #include <vector>

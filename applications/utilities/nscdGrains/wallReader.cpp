@@ -6,7 +6,7 @@
 #include "materialReader.hpp"
 #include "motionReader.hpp"
 
-#include "stlFile.hpp"
+#include "nscd/scene/stlFile.hpp"
 
 #include <algorithm>
 

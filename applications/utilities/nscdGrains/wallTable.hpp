@@ -6,7 +6,7 @@
 
 #include "csvFile.hpp"
 
-#include "grainDynamics.hpp"
+#include "nscd/step/grainDynamics.hpp"
 
 namespace nscdGrains
 {

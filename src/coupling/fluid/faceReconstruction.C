@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // The least-squares reconstruction with its inverse kept.
 
-#include "fluid/faceReconstruction.H"
+#include "coupling/fluid/faceReconstruction.H"
 
 #include "extrapolatedCalculatedFvPatchFields.H"
 #include "fvcSurfaceIntegrate.H"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // Sums over cells and patches.
 
-#include "fluid/fluidBalance.H"
+#include "coupling/fluid/fluidBalance.H"
 
 #include "fvcSurfaceIntegrate.H"
 

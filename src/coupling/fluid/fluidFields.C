@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // Reading the fluid's fields, or making those that a fresh start does not have.
 
-#include "fluid/fluidFields.H"
-#include "fluid/rankPatches.H"
+#include "coupling/fluid/fluidFields.H"
+#include "coupling/fluid/rankPatches.H"
 
 #include "fvcFlux.H"
 #include "zeroGradientFvPatchFields.H"

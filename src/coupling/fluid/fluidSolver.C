@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // The fluid's part of a time step, told in the order it happens.
 
-#include "fluid/fluidSolver.H"
-#include "fluid/rankPatches.H"
+#include "coupling/fluid/fluidSolver.H"
+#include "coupling/fluid/rankPatches.H"
 
 namespace Foam
 {

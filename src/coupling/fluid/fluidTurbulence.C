@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // The stress of the averaged fluid and the update of its viscosity.
 
-#include "fluid/fluidTurbulence.H"
+#include "coupling/fluid/fluidTurbulence.H"
 
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "fvcDiv.H"

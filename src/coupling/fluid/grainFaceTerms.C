@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // Interpolation of the grains' terms, and what of them a patch lets through.
 
-#include "fluid/grainFaceTerms.H"
+#include "coupling/fluid/grainFaceTerms.H"
 
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "linear.H"

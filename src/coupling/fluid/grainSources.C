@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // The grains' cell fields: made, aged, and completed on the patches.
 
-#include "fluid/grainSources.H"
-#include "fluid/rankPatches.H"
+#include "coupling/fluid/grainSources.H"
+#include "coupling/fluid/rankPatches.H"
 
 #include "zeroGradientFvPatchFields.H"
 

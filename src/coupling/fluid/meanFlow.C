@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // The mean-flow gradient: response of the flux to a unit gradient, and superposition.
 
-#include "fluid/meanFlow.H"
+#include "coupling/fluid/meanFlow.H"
 
 #include "cyclicFvPatch.H"
 #include "fvcDiv.H"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // Assembly of the momentum equation and the velocity predictor.
 
-#include "fluid/momentumEquation.H"
+#include "coupling/fluid/momentumEquation.H"
 
 #include "fvcDdt.H"
 #include "fvcDiv.H"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // Pressure correction of a fluid without grains: OpenFOAM's own PISO step, with p_rgh in Pa.
 
-#include "fluid/pressureCorrection.H"
+#include "coupling/fluid/pressureCorrection.H"
 
 #include "adjustPhi.H"
 #include "constrainHbyA.H"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // Pressure correction for a fluid between grains: everything is balanced on the faces.
 
-#include "fluid/pressureCorrection.H"
+#include "coupling/fluid/pressureCorrection.H"
 
 #include "adjustPhi.H"
 #include "constrainHbyA.H"

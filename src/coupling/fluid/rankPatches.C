@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // Completing all fields of a mesh between ranks.
 
-#include "fluid/rankPatches.H"
+#include "coupling/fluid/rankPatches.H"
 
 namespace Foam
 {

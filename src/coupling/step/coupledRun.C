@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The seven parts of a time step.
-#include "step/coupledRun.H"
+#include "coupling/step/coupledRun.H"
 
-#include "step/grainForces.H"
-#include "vectorConversion.H"
+#include "coupling/base/vectorConversion.H"
+#include "coupling/step/grainForces.H"
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What a run on several ranks does beside the seven parts: grains change their owners, and go home to be written.
-#include "step/coupledRun.H"
+#include "coupling/step/coupledRun.H"
 
-#include "case/logText.H"
-#include "vectorConversion.H"
+#include "coupling/base/vectorConversion.H"
+#include "coupling/case/log/logText.H"
 
 namespace Foam
 {

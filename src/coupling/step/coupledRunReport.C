@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What a run tells: log, report and written times.
-#include "step/coupledRun.H"
+#include "coupling/step/coupledRun.H"
 
-#include "case/grainTotals.H"
-#include "case/runState.H"
-#include "case/writtenFiles.H"
-#include "vectorConversion.H"
+#include "coupling/base/vectorConversion.H"
+#include "coupling/case/files/runState.H"
+#include "coupling/case/files/writtenFiles.H"
+#include "coupling/case/log/grainTotals.H"
 
 #include <algorithm>
 

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // How a run starts: from grainProperties, or from a written time.
-#include "step/coupledRun.H"
+#include "coupling/step/coupledRun.H"
 
-#include "case/grainTotals.H"
-#include "case/numericsCheck.H"
-#include "case/parallelRefusal.H"
-#include "case/processorFolders.H"
-#include "case/sceneLog.H"
+#include "coupling/case/files/processorFolders.H"
+#include "coupling/case/log/grainTotals.H"
+#include "coupling/case/log/sceneLog.H"
+#include "coupling/case/start/numericsCheck.H"
+#include "coupling/case/start/parallelRefusal.H"
 
 namespace Foam
 {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Linear drag and response, grain by grain.
-#include "step/dragResponse.H"
+#include "coupling/step/dragResponse.H"
 
 #include <algorithm>
 

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Sampling of the fluid at the grains.
-#include "step/fluidAtGrains.H"
+#include "coupling/step/fluidAtGrains.H"
 
-#include "case/patchRoles.H"
+#include "coupling/case/walls/patchRoles.H"
 
 #include "fvcCurl.H"
 

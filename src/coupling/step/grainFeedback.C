@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Spreading of drag and response.
-#include "step/grainFeedback.H"
+#include "coupling/step/grainFeedback.H"
 
 namespace Foam
 {

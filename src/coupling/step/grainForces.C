@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Weight, buoyancy, pressure gradient and viscous stress.
-#include "step/grainForces.H"
+#include "coupling/step/grainForces.H"
 
-#include "vectorConversion.H"
+#include "coupling/base/vectorConversion.H"
 
 #include <algorithm>
 

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Asking ranks for the cells of grains.
-#include "step/grainHomes.H"
+#include "coupling/step/grainHomes.H"
 
-#include "case/grainExits.H"
-#include "cellLocator.H"
-#include "vectorConversion.H"
+#include "coupling/base/vectorConversion.H"
+#include "coupling/case/walls/grainExits.H"
+#include "coupling/mapping/mesh/cellLocator.H"
 
-#include "pointRouting.hpp"
+#include "parallel/pointRouting.hpp"
 
 namespace Foam
 {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Locating grains without weights.
-#include "step/grainLocations.H"
+#include "coupling/step/grainLocations.H"
 
 namespace Foam
 {

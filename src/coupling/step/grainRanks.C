@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Moving grains and their contacts between ranks.
-#include "step/grainRanks.H"
+#include "coupling/step/grainRanks.H"
 
-#include "grainPartition.hpp"
-#include "idDirectory.hpp"
-#include "migration.hpp"
-#include "mpiExchange.hpp"
+#include "parallel/grainPartition.hpp"
+#include "parallel/idDirectory.hpp"
+#include "parallel/migration.hpp"
+#include "parallel/mpiExchange.hpp"
 
 #include "PstreamReduceOps.H"
 #include "Time.H"

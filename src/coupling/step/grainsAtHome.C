@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Packing values of grains into rows of numbers, and back.
-#include "step/grainsAtHome.H"
+#include "coupling/step/grainsAtHome.H"
 
-#include "grainLink.hpp"
-#include "rankTree.hpp"
+#include "parallel/grainLink.hpp"
+#include "parallel/rankTree.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Step length from Courant number and grain displacement.
-#include "step/timeStepControl.H"
+#include "coupling/step/timeStepControl.H"
 
 namespace Foam
 {

@@ -5,11 +5,12 @@
 #pragma once
 
 #include "benchmark/rankedBed/tiledBed.hpp"
-#include "unit/nscd/heaps.hpp"
+#include "unit/nscd/scenes/heaps.hpp"
 
-#include "contactSolver.hpp"
-#include "contactStep.hpp"
-#include "sweepKernels.hpp"
+#include "nscd/contacts/contactGeometry.hpp"
+#include "nscd/kernels/sweepKernels.hpp"
+#include "nscd/solvers/contactSolver.hpp"
+#include "nscd/step/contactStep.hpp"
 
 namespace scenes
 {

@@ -5,10 +5,11 @@
 // detection SCENE [BED [TILESX TILESY]]: bed (a file as `rankedBed settle` wrote it, tiled), lattice, ratio20, ratio100.
 #include "benchmark/rankedBed/tiledBed.hpp"
 
-#include "contactCandidates.hpp"
-#include "mortonOrder.hpp"
-#include "pairSearch.hpp"
-#include "storedImpulses.hpp"
+#include "nscd/base/mortonOrder.hpp"
+#include "nscd/contacts/contactCandidates.hpp"
+#include "nscd/contacts/contactGeometry.hpp"
+#include "nscd/contacts/storedImpulses.hpp"
+#include "nscd/search/pairSearch.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,7 +3,7 @@
 //
 // What a step of a bed of spheres costs, as CSV: a lattice that lands and rests, or that a jet keeps in motion.
 // dryBed [nx=17] [ny=17] [nz=17] [spacing=1.15] [deltaT=1e-3] [steps=500] [every=50] [jet=0] [maxSweeps=1000] [accelerate=1]
-#include "../../unit/nscd/scenes.hpp"
+#include "unit/nscd/scenes/scenes.hpp"
 
 #include <chrono>
 #include <cstdio>

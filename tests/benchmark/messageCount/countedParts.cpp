@@ -6,9 +6,9 @@
 // that is renamed does not link any more; of the others, the messages then count for what calls it.
 #include "messageCount.hpp"
 
-#include "contactList.hpp"
-#include "contactSolver.hpp"
-#include "storedImpulses.hpp"
+#include "nscd/contacts/contactList.hpp"
+#include "nscd/contacts/storedImpulses.hpp"
+#include "nscd/solvers/contactSolver.hpp"
 
 #include <dlfcn.h>
 

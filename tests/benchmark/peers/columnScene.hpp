@@ -6,8 +6,8 @@
 
 #include "benchmark/rankedBed/tiledBed.hpp"
 
-#include "overlaps.hpp"
-#include "sceneCheckpoint.hpp"
+#include "nscd/search/overlaps.hpp"
+#include "nscd/tools/sceneCheckpoint.hpp"
 
 #include <algorithm>
 #include <stdexcept>

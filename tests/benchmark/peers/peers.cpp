@@ -10,7 +10,7 @@
 // peers frozen BED FILE [option=value ...]                 cold solves of a frozen contact problem; FILE.bodies, FILE.contacts: the last one
 #include "benchmark/peers/columnScene.hpp"
 #include "benchmark/peers/frozenProblem.hpp"
-#include "unit/nscd/heaps.hpp"
+#include "unit/nscd/scenes/heaps.hpp"
 
 #include <cstdio>
 #include <ctime>

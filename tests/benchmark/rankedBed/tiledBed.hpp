@@ -5,7 +5,7 @@
 // grains only.
 #pragma once
 
-#include "unit/nscd/scenes.hpp"
+#include "unit/nscd/scenes/scenes.hpp"
 
 #include <fstream>
 #include <random>

@@ -8,7 +8,7 @@
 #include "benchmark/rankedBed/tiledBed.hpp"
 #include "parallel/rankedScene.hpp"
 
-#include "contactList.hpp"
+#include "nscd/contacts/contactList.hpp"
 
 #include <malloc.h>
 

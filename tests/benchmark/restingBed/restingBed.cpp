@@ -6,7 +6,7 @@
 // `rankedBed settle` wrote it. One tile comes to rest in `warmUp` damped steps; tilesX*tilesY copies of it, impulses and all, then lie side by side for
 // `calm` damped steps more: their contacts are found anew.
 #include "benchmark/rankedBed/tiledBed.hpp"
-#include "unit/nscd/heaps.hpp"
+#include "unit/nscd/scenes/heaps.hpp"
 
 #include <array>
 #include <chrono>

@@ -4,11 +4,12 @@
 // What leaving out saves, as CSV: each row a scene with a choice that the library makes by itself, or without. Milliseconds of the processor.
 // skips still BED | planar [PERSIDE] | smooth [PERSIDE] | cloud [PERSIDE] | pairs [PERSIDE] | kernels [PERSIDE] | rest BED [STEPS]
 #include "benchmark/rankedBed/tiledBed.hpp"
-#include "unit/nscd/heaps.hpp"
+#include "unit/nscd/scenes/heaps.hpp"
 
-#include "contactStep.hpp"
-#include "isolatedPairs.hpp"
-#include "sweepKernels.hpp"
+#include "nscd/contacts/contactGeometry.hpp"
+#include "nscd/kernels/sweepKernels.hpp"
+#include "nscd/solvers/help/isolatedPairs.hpp"
+#include "nscd/step/contactStep.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -5,9 +5,10 @@
 // sweepSpeed bed.dat [tilesX tilesY [sweeps]]: bed.dat as `rankedBed settle` wrote it. CSV.
 #include "benchmark/rankedBed/tiledBed.hpp"
 
-#include "contactSolver.hpp"
-#include "contactStep.hpp"
-#include "sweepKernels.hpp"
+#include "nscd/contacts/contactGeometry.hpp"
+#include "nscd/kernels/sweepKernels.hpp"
+#include "nscd/solvers/contactSolver.hpp"
+#include "nscd/step/contactStep.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -4,7 +4,7 @@
 // States to evaluate drag laws at, for their tests.
 #pragma once
 
-#include "dragLaws.hpp"
+#include "closures/dragLaws.hpp"
 
 #include <cmath>
 #include <string>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Drag over one step: the split of gamma, and falling grains against their exact transients.
-#include "implicitDrag.hpp"
+#include "closures/implicitDrag.hpp"
 
 #include <gtest/gtest.h>
 

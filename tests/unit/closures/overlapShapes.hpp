@@ -4,7 +4,7 @@
 // Polyhedra and random points for the tests of ball and cell.
 #pragma once
 
-#include "sphereOverlap.hpp"
+#include "closures/sphereOverlap.hpp"
 
 #include <array>
 #include <cmath>

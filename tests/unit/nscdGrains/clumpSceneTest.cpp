@@ -3,7 +3,7 @@
 //
 // Scenes with clumps: placed as written, run, gone on with to the bit; refused in words.
 #include "grainSources.hpp"
-#include "sceneCheckpoint.hpp"
+#include "nscd/tools/sceneCheckpoint.hpp"
 #include "sceneFiles.hpp"
 #include "sceneRun.hpp"
 

@@ -3,7 +3,7 @@
 //
 // Functions of time, moving walls, belts, surfaces from files and driven grains: as read, and in runs.
 #include "functionReader.hpp"
-#include "sceneCheckpoint.hpp"
+#include "nscd/tools/sceneCheckpoint.hpp"
 #include "sceneFiles.hpp"
 #include "sceneRun.hpp"
 #include "sceneSettings.hpp"

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Whole runs: stopped and continued to the bit, results that are not lost, files as they should be.
-#include "../fileSizeLimit.hpp"
-#include "sceneCheckpoint.hpp"
+#include "unit/fileSizeLimit.hpp"
+#include "nscd/tools/sceneCheckpoint.hpp"
 #include "sceneError.hpp"
 #include "sceneFiles.hpp"
 #include "sceneRun.hpp"

@@ -3,7 +3,7 @@
 //
 // A heap of 1000 clumps and some spheres between them in a box: it lands and comes to rest; laws and balances by code of its own.
 // dryClumps [clumps=1000] [side=6] [steps=4000]
-#include "../../unit/nscd/clumpMap.hpp"
+#include "unit/nscd/scenes/clumpMap.hpp"
 #include "../resources/bars.hpp"
 
 #include <cstdio>

@@ -4,7 +4,7 @@
 // Columns of discs that collapse on a floor: how they are packed or read, and the figures of their shape.
 #pragma once
 
-#include "../../unit/nscd/scenes.hpp"
+#include "unit/nscd/scenes/scenes.hpp"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 //
 // S18: a grain that moves 50 diameters in a time step, at walls of every kind, at a grain, and at a packed bed: nothing is
 // passed through, and no energy is created.
-#include "../../unit/nscd/heaps.hpp"
+#include "unit/nscd/scenes/heaps.hpp"
 #include "../resources/bars.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 //
 // A11: an inelastic gas of smooth spheres cools as Haff's law says, T/T0 = (1 + (1 - e^2) w0 t/6)^-2 with the collision frequency of
 // Enskog's theory, w0 = 4 sqrt(pi) n d^2 chi sqrt(T0), chi = (1 - phi/2)/(1 - phi)^3.
-#include "../../unit/nscd/scenes.hpp"
+#include "unit/nscd/scenes/scenes.hpp"
 #include "../resources/bars.hpp"
 #include "../resources/csvFile.hpp"
 

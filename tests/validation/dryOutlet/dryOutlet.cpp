@@ -3,7 +3,7 @@
 //
 // A18: flow through the outlet of a silo with a flat bottom, what comes out being put back on top. Beverloo: W ~ (D - k d)^2.5 from a
 // round outlet, ^1.5 from a slot, k = 1.5, whatever the head.
-#include "../../unit/nscd/scenes.hpp"
+#include "unit/nscd/scenes/scenes.hpp"
 #include "../resources/bars.hpp"
 #include "../resources/csvFile.hpp"
 

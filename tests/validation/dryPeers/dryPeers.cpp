@@ -7,10 +7,10 @@
 //     dryPeers silo TABLE CSV STL    number of grains that are still above the floor
 //     dryPeers settleDrum TABLE
 //     dryPeers drum TABLE CSV        places of grains that began on the left
-#include "../../unit/nscd/heaps.hpp"
+#include "unit/nscd/scenes/heaps.hpp"
 #include "../resources/bars.hpp"
 
-#include "stlFile.hpp"
+#include "nscd/scene/stlFile.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 //
 // Ten thousand steps at rest: column height, kinetic energy and impulse on floor and walls of a bed 20 layers deep, none asleep, at
 // tolerance 1e-3, in one run; and the same bed under a cap of sweeps that is too small for it, which the library must raise.
-#include "../../unit/nscd/heaps.hpp"
+#include "unit/nscd/scenes/heaps.hpp"
 #include "../resources/bars.hpp"
 
 using namespace scenes;

@@ -3,7 +3,7 @@
 //
 // A19: a layer of discs sheared between two plates, periodic along them: on top a belt with mass, pressed down by a load, below a plate
 // at rest, no gravity. In the mean both plates feel the same force, its normal part that of the load; friction against inertial number is reported.
-#include "../../unit/nscd/scenes.hpp"
+#include "unit/nscd/scenes/scenes.hpp"
 #include "../resources/bars.hpp"
 #include "../resources/csvFile.hpp"
 

@@ -3,7 +3,7 @@
 //
 // S6: few large spheres settling among many small ones, size ratios 1:20 and 1:100, against small ones alone: overlap, and the time of
 // the neighbor search a grain and build (printed, not judged).
-#include "../../unit/nscd/scenes.hpp"
+#include "unit/nscd/scenes/scenes.hpp"
 #include "../resources/bars.hpp"
 
 #include <cstdio>

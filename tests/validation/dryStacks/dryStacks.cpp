@@ -3,7 +3,7 @@
 //
 // Tall stacks from cold (A08, S5): base force of the first step and rest after it, at the default solver; with 1000 spheres, a zig-zag wall
 // of 3 x 300 discs and a hexagonal stack of 20 x 200 discs.
-#include "../../unit/nscd/naturalMap.hpp"
+#include "unit/nscd/scenes/naturalMap.hpp"
 #include "../resources/bars.hpp"
 
 #include <cstdio>

@@ -3,8 +3,8 @@
 //
 // Statics at length: A09 (a box of discs for 2000 steps), A08 with 1000 spheres, a hexagonal stack to 1e-8 g dt, and a bed
 // of spheres that lands, comes to rest and stays there at the default settings.
-#include "../../unit/nscd/heaps.hpp"
-#include "../../unit/nscd/naturalMap.hpp"
+#include "unit/nscd/scenes/heaps.hpp"
+#include "unit/nscd/scenes/naturalMap.hpp"
 #include "../resources/bars.hpp"
 
 #include <chrono>

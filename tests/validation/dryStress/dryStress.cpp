@@ -3,7 +3,7 @@
 //
 // Stress scenes too long for the unit tests: S4 (heavy on light), S16 (gravity turned over), S22 (dense elastic gas), and what
 // a cap on the sweeps does to them: reported, never silent.
-#include "../../unit/nscd/heaps.hpp"
+#include "unit/nscd/scenes/heaps.hpp"
 #include "../resources/bars.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 // A case of the averaged fluid with the grains' sources given by formulas, on one rank or several: constant/prescribedSources.
 
-#include "fluid/fluidSolver.H"
-#include "fluid/rankPatches.H"
+#include "coupling/fluid/fluidSolver.H"
+#include "coupling/fluid/rankPatches.H"
 
 #include "IOdictionary.H"
 #include "argList.H"

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Writing and reading uniform/grainState.
+#include "coupling/case/files/runState.H"
+#include "coupling/case/files/writtenFiles.H"
+#include "coupling/case/input/dictionaryCheck.H"
+
+#include "IOdictionary.H"
+#include "OSspecific.H"
+#include "PstreamReduceOps.H"
+#include "Time.H"
+
+#include <fstream>
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+/// While it lives, numbers are written with all their digits.
+class FullPrecision
+{
+public:
+    FullPrecision() : before_(IOstream::defaultPrecision(17)) {}
+    ~FullPrecision() { IOstream::defaultPrecision(before_); }
+
+private:
+    unsigned before_;
+};
+
+IOobject stateFile(const polyMesh& mesh, IOobject::readOption read)
+{
+    return IOobject("grainState", mesh.time().timeName(), "uniform", mesh, read, IOobject::NO_WRITE, false);
+}
+
+void waitForAll()
+{
+    bool isHere = true;
+    reduce(isHere, andOp<bool>());
+}
+
+} // namespace
+
+
+void beginRunState(const Time& time)
+{
+    const fileName folder = time.timePath()/"uniform";
+    // decomposePar makes links to the folder of the whole case.
+    if (!isDir(folder, false)) rm(folder);
+    mkDir(folder);
+    std::ofstream mark(folder/"grainState");
+    mark << "this time was not written to its end" << std::endl;
+    if (!mark.good()) refuseUnwritten(folder/"grainState");
+    waitForAll();
+}
+
+
+void writeRunState(const polyMesh& mesh, const RunState& state)
+{
+    const fileName folder = mesh.time().timePath();
+    checkWritten(folder);
+    waitForAll();
+    const FullPrecision precision;
+    IOdictionary dict(stateFile(mesh, IOobject::NO_READ));
+    dict.add("grains", state.nGrains);
+    dict.add("contacts", state.nContacts);
+    dict.add("materials", state.materials);
+    dictionary numbers;
+    for (const auto& number : state.numbers) numbers.add(number.first, number.second);
+    dict.add("numbers", numbers);
+    dict.writeObject(IOstream::ASCII, IOstream::currentVersion, IOstream::UNCOMPRESSED, true);
+    checkWritten(folder/"uniform");
+}
+
+
+void writeExactTime(const Time& time)
+{
+    const FullPrecision precision;
+    IOdictionary dict
+    (
+        IOobject("time", time.timeName(), "uniform", time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
+    );
+    dict.set("deltaT", time.timeToUserTime(time.deltaTValue()));
+    dict.set("deltaT0", time.timeToUserTime(time.deltaT0Value()));
+    dict.writeObject(IOstream::ASCII, IOstream::currentVersion, IOstream::UNCOMPRESSED, true);
+}
+
+
+bool hasRunState(const polyMesh& mesh)
+{
+    IOobject file = stateFile(mesh, IOobject::READ_IF_PRESENT);
+    // OpenFOAM goes on to look for it in the folder of the whole case.
+    const bool isThere = isFile(mesh.time().timePath()/"uniform"/file.name());
+    bool isWritten = file.typeHeaderOk<IOdictionary>(true) && isThere;
+    Pstream::scatter(isWritten);
+    return isWritten;
+}
+
+
+RunState readRunState(const polyMesh& mesh)
+{
+    const IOobject file = stateFile(mesh, IOobject::MUST_READ);
+    if (!hasRunState(mesh)) fail({placeInFile(file.objectPath(), "grainState"), "is missing or has no header"});
+    const IOdictionary dict(file);
+    const CheckedDict given(dict);
+    RunState state;
+    state.place = placeOf(dict);
+    state.nGrains = given.integer("grains", 0);
+    state.nContacts = given.integer("contacts", 0);
+    given.found("materials");
+    state.materials = dict.get<wordList>("materials");
+    const dictionary& numbers = given.sub("numbers");
+    const CheckedDict named(numbers);
+    for (const entry& number : numbers)
+    {
+        state.numbers[number.keyword()] = named.number(number.keyword(), anyNumber());
+    }
+    given.finish();
+    return state;
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

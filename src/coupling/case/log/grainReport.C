@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Writing report.csv: the table of columns, and rows in its order.
+#include "coupling/case/log/grainReport.H"
+
+#include "OSspecific.H"
+
+#include <limits>
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+using Value = double (*)(const StepRow&);
+
+struct Column
+{
+    const char* name;
+    const char* unit;
+    Value value;
+};
+
+const Column columns[] =
+{
+    {"time", "s", [](const StepRow& r) { return double(r.time); }},
+    {"deltaT", "s", [](const StepRow& r) { return double(r.deltaT); }},
+    {"grains", "1", [](const StepRow& r) { return double(r.grains); }},
+    {"contacts", "1", [](const StepRow& r) { return double(r.contacts); }},
+    {"sweeps", "1", [](const StepRow& r) { return double(r.sweeps); }},
+    {"converged", "1", [](const StepRow& r) { return double(r.converged); }},
+    {"residualRms", "m/s", [](const StepRow& r) { return double(r.residualRms); }},
+    {"residualMax", "m/s", [](const StepRow& r) { return double(r.residualMax); }},
+    {"overlapMax", "diameters", [](const StepRow& r) { return double(r.overlapMax); }},
+    {"overlapMean", "diameters", [](const StepRow& r) { return double(r.overlapMean); }},
+    {"kineticEnergy", "J", [](const StepRow& r) { return double(r.kineticEnergy); }},
+    {"massCenterX", "m", [](const StepRow& r) { return double(r.massCenter.x()); }},
+    {"massCenterY", "m", [](const StepRow& r) { return double(r.massCenter.y()); }},
+    {"massCenterZ", "m", [](const StepRow& r) { return double(r.massCenter.z()); }},
+    {"wallForceX", "N", [](const StepRow& r) { return double(r.wallForce.x()); }},
+    {"wallForceY", "N", [](const StepRow& r) { return double(r.wallForce.y()); }},
+    {"wallForceZ", "N", [](const StepRow& r) { return double(r.wallForce.z()); }},
+    {"grainVolume", "m3", [](const StepRow& r) { return double(r.grainVolume); }},
+    {"momentumError", "1", [](const StepRow& r) { return double(r.momentumError); }},
+    {"exited", "1", [](const StepRow& r) { return double(r.exited); }},
+    {"correctionSweeps", "1", [](const StepRow& r) { return double(r.correctionSweeps); }},
+    {"courantMax", "1", [](const StepRow& r) { return double(r.courantMax); }}
+};
+
+template<class Part>
+void writeLine(std::ostream& os, const Part& part)
+{
+    const char* separator = "";
+    for (const Column& column : columns)
+    {
+        os << separator;
+        part(column);
+        separator = ",";
+    }
+    os << '\n' << std::flush;
+}
+
+} // namespace
+
+
+GrainReport::GrainReport(const Time& time)
+:
+    path_(time.globalPath()/"postProcessing"/"grains"/time.timeName(time.startTime().value())/"report.csv")
+{
+    if (!Pstream::master()) return;
+    mkDir(path_.path());
+    file_.open(path_);
+    file_.precision(std::numeric_limits<double>::max_digits10);
+    file_ << "# units: ";
+    writeLine(file_, [&](const Column& column) { file_ << column.unit; });
+    writeLine(file_, [&](const Column& column) { file_ << column.name; });
+    check();
+}
+
+
+void GrainReport::write(const StepRow& row)
+{
+    if (!Pstream::master()) return;
+    writeLine(file_, [&](const Column& column) { file_ << column.value(row); });
+    check();
+}
+
+
+void GrainReport::check() const
+{
+    if (file_.good()) return;
+    FatalErrorInFunction << "Cannot write to " << path_ << "; is the disk full?" << exit(FatalError);
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The lines about the case.
+#include "coupling/case/log/logText.H"
+#include "coupling/case/log/sceneLog.H"
+
+#include "nscd/tools/sceneWork.hpp"
+
+#include "Time.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+string namesOf(const labelList& patches, const polyMesh& mesh)
+{
+    string names;
+    for (const label patchi : patches) names += (names.empty() ? "" : " ") + mesh.boundaryMesh()[patchi].name();
+    return names.empty() ? string("none") : names;
+}
+
+string describeGrains(const GrainTotals& grains, const nscd::GrainShape& shape)
+{
+    if (grains.number == 0) return "none";
+    return formatted
+    (
+        "%lld %s, diameter %.4g to %.4g m, volume %.6g m3",
+        static_cast<long long>(grains.number), shape.dimensions == 2 ? "discs" : "spheres",
+        grains.diameterMin, grains.diameterMax, grains.volume
+    );
+}
+
+string describeWalls(const GrainScene& scene, const polyMesh& mesh)
+{
+    string planes;
+    const std::size_t count = scene.roles.ofRole(PatchRole::wall).size();
+    for (std::size_t i = count; i < scene.walls.patches.size(); ++i) planes += " " + scene.walls.patches[i].name;
+    const string patches = namesOf(scene.roles.ofRole(PatchRole::wall), mesh);
+    return formatted("%s%s, %zu flat regions", patches.c_str(), planes.c_str(), scene.walls.regions.size());
+}
+
+/// Walls beside the mesh hold grains back and no fluid.
+bool areWallsUnseen(const GrainProperties& properties)
+{
+    return properties.solvesFluid && (!properties.walls.empty() || !properties.planes.empty());
+}
+
+string describeFluid(const GrainProperties& properties)
+{
+    if (!properties.solvesFluid) return "none";
+    return formatted
+    (
+        "solved, feedback %s; drag %s; void fraction %s",
+        properties.hasFeedback ? "on" : "off", properties.forces.dragLaw.c_str(), properties.voidFraction.method.c_str()
+    );
+}
+
+} // namespace
+
+
+void logScene
+(
+    Ostream& os, const GrainProperties& properties, const GrainScene& scene, const GrainTotals& grains,
+    const polyMesh& mesh, bool isRestart
+)
+{
+    const nscd::ContactSettings& contact = properties.contact;
+    const auto line = [&](const char* head, const string& text)
+    {
+        os << formatted("  %-9s", head).c_str() << text.c_str() << nl;
+    };
+    os << "Case" << nl;
+    line("grains", describeGrains(grains, scene.space.shape));
+    if (isRestart) line("", "from time " + mesh.time().timeName() + "; `grains` of grainProperties are for a new start only");
+    line("walls", describeWalls(scene, mesh));
+    if (areWallsUnseen(properties)) line("", "those of `walls` and `planes` are for the grains alone: the fluid flows through them");
+    line("exits", namesOf(scene.roles.ofRole(PatchRole::exit), mesh));
+    line("periodic", namesOf(scene.roles.ofRole(PatchRole::periodic), mesh));
+    line("contacts", formatted
+    (
+        "%s, tolerance %.3g, at most %d sweeps, %s", contact.solver.c_str(), contact.tolerance, contact.maxSweeps,
+        nscd::describeWork(properties.materials.table, scene.space.shape, contact).c_str()
+    ));
+    line("fluid", describeFluid(properties));
+    if (Pstream::parRun()) line("ranks", formatted("%d, load at most %.3g of the mean", Pstream::nProcs(), properties.maxLoadImbalance));
+    os << endl;
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Timing the parts of a step.
+#include "coupling/case/log/logText.H"
+#include "coupling/case/log/timingTable.H"
+
+#include <numeric>
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+const std::array<const char*, nStepParts> stepPartNames =
+{
+    "sampleFluid", "linearizeDrag", "solveFluid", "fluidForces", "advanceGrains", "depositGrains", "reportStep"
+};
+
+
+TimingTable::Timer::Timer(TimingTable& table, StepPart part)
+:
+    table_(table),
+    part_(part),
+    start_(std::chrono::steady_clock::now())
+{}
+
+
+TimingTable::Timer::~Timer()
+{
+    table_.add(part_, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count());
+}
+
+
+double TimingTable::total() const
+{
+    return std::accumulate(seconds_.begin(), seconds_.end(), 0.0);
+}
+
+
+void TimingTable::print(Ostream& os, label steps) const
+{
+    const double sum = total();
+    const auto row = [&](const char* name, double seconds)
+    {
+        const double share = sum > 0 ? 100*seconds/sum : 0;
+        const double perStep = steps > 0 ? 1e3*seconds/steps : 0;
+        os << formatted("  %-14s %12.3f %8.1f %% %12.4f", name, seconds, share, perStep).c_str() << nl;
+    };
+    os << formatted("  %-14s %12s %10s %12s", "part", "seconds", "share", "ms/step").c_str() << nl;
+    for (int part = 0; part < nStepParts; ++part) row(stepPartNames[part], seconds_[part]);
+    row("sum", sum);
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

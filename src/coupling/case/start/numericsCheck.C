@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Asking for every field, scheme and solver once.
+#include "coupling/case/input/dictionaryCheck.H"
+#include "coupling/case/input/inputError.H"
+#include "coupling/case/start/numericsCheck.H"
+
+#include "convectionScheme.H"
+#include "ddtScheme.H"
+#include "dimensionSets.H"
+#include "divScheme.H"
+#include "gradScheme.H"
+#include "laplacianScheme.H"
+#include "lduMatrix.H"
+#include "IFstream.H"
+#include "IOdictionary.H"
+#include "surfaceFields.H"
+#include "volFields.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+/// First line of a file that starts with a word; for field files, which may be binary behind that line.
+InputPlace placeOfLine(const fileName& file, const word& start)
+{
+    InputPlace place = placeInFile(file, start);
+    IFstream is(file);
+    string line;
+    for (label lineNumber = 1; is.getLine(line).good(); ++lineNumber)
+    {
+        if (line.compare(0, start.size(), start) != 0) continue;
+        place.firstLine = place.lastLine = lineNumber;
+        break;
+    }
+    return place;
+}
+
+template<class Field>
+void checkDimensions(const fvMesh& mesh, const word& name, const dimensionSet& dimensions, const string& unit)
+{
+    const Field field(IOobject(name, mesh.time().timeName(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false), mesh);
+    if (field.dimensions() == dimensions) return;
+    fail
+    ({
+        placeOfLine(field.objectPath(), "dimensions"), "are wrong for " + name, messageText(field.dimensions()),
+        messageText(dimensions, ": ", name, " is in ", unit.c_str())
+    });
+}
+
+void checkTimeScheme(const fvMesh& mesh, const word& name)
+{
+    const word scheme(mesh.ddtScheme(name));
+    if (scheme == "steadyState" || scheme == "localEuler")
+    {
+        fail
+        ({
+            placeInDictionaryFile(mesh.fvSchemes::objectPath(), "ddtSchemes"), "has no time step for " + name, scheme,
+            "a scheme in time, as Euler or backward"
+        });
+    }
+    fv::ddtScheme<vector>::New(mesh, mesh.ddtScheme(name));
+}
+
+/// The quantities that the turbulence model of this run transports, among those that OpenFOAM's models know.
+wordList turbulenceFields(const fvMesh& mesh)
+{
+    wordList names;
+    for (const word name : {"k", "epsilon", "omega", "nuTilda", "R"})
+    {
+        if (mesh.objectRegistry::found(name)) names.append(name);
+    }
+    return names;
+}
+
+void checkSchemes(const fvMesh& mesh, const surfaceScalarField& phi, bool isAveraged)
+{
+    checkTimeScheme(mesh, isAveraged ? "ddt(alpha.fluid,U)" : "ddt(U)");
+    fv::convectionScheme<vector>::New(mesh, phi, mesh.divScheme("div(phi,U)"));
+    fv::divScheme<tensor>::New(mesh, mesh.divScheme("div((nuEff*dev2(T(grad(U)))))"));
+    for (const word& name : turbulenceFields(mesh)) mesh.divScheme("div(phi," + name + ")");
+    fv::gradScheme<vector>::New(mesh, mesh.gradScheme("grad(U)"));
+    fv::laplacianScheme<vector, scalar>::New(mesh, mesh.laplacianScheme("laplacian(nuEff,U)"));
+    fv::laplacianScheme<scalar, scalar>::New(mesh, mesh.laplacianScheme("laplacian(rAU,p_rgh)"));
+}
+
+template<class Table>
+void checkSolver(const fvMesh& mesh, const word& field, const Table& known)
+{
+    const dictionary& dict = mesh.solverDict(field);
+    const word type = dict.get<word>("solver");
+    if (known.found(type)) return;
+    fail({placeOf(dict, "solver"), "is unknown, or not for this equation", type, string::null, toWords(known.sortedToc())});
+}
+
+/// In the last iterations the solvers called are those with "Final" behind the field's name.
+void checkSolvers(const fvMesh& mesh)
+{
+    const dictionary& pimple = mesh.solutionDict().subOrEmptyDict("PIMPLE");
+    const label outer = pimple.getOrDefault<label>("nOuterCorrectors", 1);
+    const label inner =
+        pimple.getOrDefault<label>("nCorrectors", 1)*(1 + pimple.getOrDefault<label>("nNonOrthogonalCorrectors", 0));
+
+    const auto& symmetric = *lduMatrix::solver::symMatrixConstructorTablePtr_;
+    checkSolver(mesh, "p_rghFinal", symmetric);
+    if (outer*inner > 1) checkSolver(mesh, "p_rgh", symmetric);
+
+    wordList transported = turbulenceFields(mesh);
+    if (pimple.getOrDefault("momentumPredictor", true)) transported.append("U");
+    for (const word& name : transported)
+    {
+        checkSolver(mesh, name + "Final", *lduMatrix::solver::asymMatrixConstructorTablePtr_);
+        if (outer > 1) checkSolver(mesh, name, *lduMatrix::solver::asymMatrixConstructorTablePtr_);
+    }
+}
+
+} // namespace
+
+
+void checkFieldDimensions(const fvMesh& mesh)
+{
+    checkDimensions<volVectorField>(mesh, "U", dimVelocity, "m/s");
+    checkDimensions<volScalarField>(mesh, "p_rgh", dimPressure, "Pa");
+}
+
+
+void checkTransportProperties(const Time& time)
+{
+    const IOdictionary dict
+    (
+        IOobject("transportProperties", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
+    );
+    const CheckedDict given(dict);
+    given.number("rho", above(0), dimDensity);
+    if (given.found("nu")) given.number("nu", above(0), dimViscosity);
+}
+
+
+void checkNumerics(const surfaceScalarField& phi, bool isAveraged)
+{
+    checkSchemes(phi.mesh(), phi, isAveraged);
+    checkSolvers(phi.mesh());
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

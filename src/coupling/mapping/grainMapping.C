@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The one weight matrix between grains and cells.
+#include "coupling/base/vectorConversion.H"
+#include "coupling/mapping/grainMapping.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+namespace
+{
+
+scalar readDiffusionLength(const dictionary& dict)
+{
+    const scalar length = dict.getOrDefault<scalar>("diffusionLength", 0);
+    if (length < 0)
+    {
+        FatalIOErrorInFunction(dict) << "diffusionLength must not be negative, is " << length << " m" << exit(FatalIOError);
+    }
+    return length;
+}
+
+scalar readLargestSolidFraction(const dictionary& dict)
+{
+    const scalar leastFluid = dict.getOrDefault<scalar>("minFluidFraction", 0.2);
+    if (leastFluid <= 0 || leastFluid >= 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "minFluidFraction must lie between 0 and 1, is " << leastFluid << exit(FatalIOError);
+    }
+    return 1 - leastFluid;
+}
+
+void addTo(scalar& to, const scalar share, const scalar from)
+{
+    to += share*from;
+}
+
+void addTo(vector& cell, const scalar share, const Vec3& grain)
+{
+    cell += share*toFoam(grain);
+}
+
+void addTo(Vec3& grain, const scalar share, const vector& cell)
+{
+    grain += share*toVec3(cell);
+}
+
+template<class Grains, class Cells>
+void spreadRow(const WeightMatrix& weights, const label row, const Grains& grains, Cells& cells)
+{
+    const auto amount = grains[row];
+    for (label k = weights.rowStart[row]; k < weights.rowStart[row + 1]; ++k)
+    {
+        addTo(cells[weights.shares[k].cell], weights.shares[k].share, amount);
+    }
+}
+
+template<class Cells, class Grains>
+void sampleRow(const WeightMatrix& weights, const label row, const Cells& cells, Grains& grains)
+{
+    auto& amount = grains[row];
+    for (label k = weights.rowStart[row]; k < weights.rowStart[row + 1]; ++k)
+    {
+        addTo(amount, weights.shares[k].share, cells[weights.shares[k].cell]);
+    }
+}
+
+} // namespace
+
+GrainMapping::Layout::Layout(const fvMesh& fvMesh, const scalar largestRadius, const scalar largestSolidFraction)
+:
+    mesh(makeMappingMesh(fvMesh, largestRadius)),
+    reach(largestRadius),
+    exchange(mesh),
+    locator(mesh, fvMesh),
+    tools{mesh, locator, BallCellOverlap(mesh)},
+    redistribution(mesh, exchange, largestSolidFraction)
+{}
+
+GrainMapping::GrainMapping(const fvMesh& mesh, const dictionary& dict, const scalar largestRadius)
+:
+    mesh_(mesh),
+    method_(readVoidFractionMethod(dict)),
+    largestSolidFraction_(readLargestSolidFraction(dict)),
+    smoother_(mesh, readDiffusionLength(dict)),
+    layout_(new Layout(mesh, largestRadius, largestSolidFraction_)),
+    solidFraction_(mesh.nCells(), Zero)
+{}
+
+void GrainMapping::checkDimensions(const ::nscd::Grains& grains) const
+{
+    const MappingMesh& mesh = layout_->mesh;
+    const int dimensions = mesh.is2D() ? 2 : 3;
+    if (grains.shape.dimensions != dimensions)
+    {
+        FatalErrorInFunction
+            << "the mesh has " << dimensions << " dimensions, the grains have " << grains.shape.dimensions << exit(FatalError);
+    }
+    if (mesh.is2D() && mag(grains.shape.thickness/mesh.thickness - 1) > 1e-6)
+    {
+        FatalErrorInFunction
+            << "the mesh is " << mesh.thickness << " m thick, the discs are " << grains.shape.thickness << " m long"
+            << exit(FatalError);
+    }
+}
+
+void GrainMapping::growHalo(const ::nscd::Grains& grains)
+{
+    if (!layout_->exchange.isParallel())
+    {
+        return;
+    }
+    scalar largest = 0;
+    for (std::size_t i = 0; i < grains.nOwned; ++i) largest = std::max(largest, grains.radius[i]);
+    largest = layout_->exchange.max(largest);
+    if (largest > layout_->reach)
+    {
+        layout_.reset(new Layout(mesh_, largest, largestSolidFraction_));
+    }
+}
+
+void GrainMapping::locate(const ::nscd::Grains& grains, const ::nscd::PeriodicBox& box)
+{
+    cells_.resize(grains.nOwned, -1);
+    positions_.resize(grains.nOwned);
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        positions_[i] = box.any() ? box.wrap(grains.position[i]) : grains.position[i];
+        cells_[i] = layout_->locator.find(positions_[i], cells_[i]);
+    }
+}
+
+CellHome GrainMapping::find(const Vec3& position, const label guess) const
+{
+    return layout_->mesh.home(layout_->locator.find(position, guess));
+}
+
+void GrainMapping::listMissing(const ::nscd::Grains& grains)
+{
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        if (cells_[i] < 0)
+        {
+            report_.outsideMesh.push_back(grains.id[i]);
+        }
+        else if (!layout_->mesh.isOwn(cells_[i]))
+        {
+            report_.away.push_back({i, grains.id[i], layout_->mesh.home(cells_[i])});
+        }
+    }
+}
+
+void GrainMapping::buildRow(const LocatedBall& ball, const scalar volume)
+{
+    const std::size_t first = weights_.shares.size();
+    if (layout_->mesh.isOwn(ball.cell))
+    {
+        report_.lostOutside += volume*(1 - method_.appendShares(layout_->tools, ball, weights_.shares));
+    }
+    scalar sum = 0;
+    for (std::size_t k = first; k < weights_.shares.size(); ++k)
+    {
+        sum += weights_.shares[k].share;
+    }
+    for (std::size_t k = first; k < weights_.shares.size(); ++k)
+    {
+        weights_.shares[k].share /= sum;
+    }
+    weights_.endRow();
+}
+
+void GrainMapping::buildSolidFraction(const ::nscd::Grains& grains)
+{
+    solidFraction_ = scalarField(layout_->mesh.nCells(), Zero);
+    for (label i = 0; i < weights_.nRows(); ++i)
+    {
+        const scalar volume = grains.volume(i);
+        report_.grainVolume += volume;
+        for (label k = weights_.rowStart[i]; k < weights_.rowStart[i + 1]; ++k)
+        {
+            solidFraction_[weights_.shares[k].cell] += weights_.shares[k].share*volume;
+        }
+    }
+    layout_->exchange.toOwners({{&solidFraction_}, {}});
+    solidFraction_.setSize(mesh_.nCells());
+    solidFraction_ /= mesh_.V();
+    report_.smoothing = smoother_.smooth(solidFraction_);
+    report_.redistribution = layout_->redistribution.build(solidFraction_);
+    forAll(solidFraction_, cellI)
+    {
+        report_.volumeDeposited += solidFraction_[cellI]*mesh_.V()[cellI];
+    }
+}
+
+void GrainMapping::sumReport()
+{
+    scalar sums[] = {report_.grainVolume, report_.volumeDeposited, report_.lostOutside};
+    layout_->exchange.sum(sums, 3);
+    report_.grainVolume = sums[0];
+    report_.volumeDeposited = sums[1];
+    report_.lostOutside = sums[2];
+}
+
+const MappingReport& GrainMapping::update(const ::nscd::Grains& grains, const ::nscd::PeriodicBox& box)
+{
+    checkDimensions(grains);
+    report_ = MappingReport();
+    growHalo(grains);
+    locate(grains, box);
+    listMissing(grains);
+    weights_.clear();
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        buildRow({positions_[i], grains.radius[i], cells_[i]}, grains.volume(i));
+    }
+    buildSolidFraction(grains);
+    sumReport();
+    return report_;
+}
+
+void GrainMapping::voidFraction(volScalarField& epsilon) const
+{
+    epsilon.primitiveFieldRef() = 1 - solidFraction_;
+    epsilon.correctBoundaryConditions();
+}
+
+// From amounts in own and halo cells to what own cells have per unit volume.
+void GrainMapping::finishSpread(const CellFields& perVolume) const
+{
+    layout_->exchange.toOwners(perVolume);
+    perVolume.resize(mesh_.nCells());
+    const auto smooth = [this](auto& field)
+    {
+        field /= mesh_.V();
+        smoother_.smooth(field);
+    };
+    for (scalarField* field : perVolume.scalars) smooth(*field);
+    for (vectorField* field : perVolume.vectors) smooth(*field);
+    layout_->redistribution.spread(perVolume);
+}
+
+void GrainMapping::spread(const std::vector<ScalarSpread>& scalars, const std::vector<VectorSpread>& vectors) const
+{
+    CellFields fields;
+    for (const ScalarSpread& pair : scalars)
+    {
+        pair.cells = scalarField(layout_->mesh.nCells(), Zero);
+        fields.scalars.push_back(&pair.cells);
+    }
+    for (const VectorSpread& pair : vectors)
+    {
+        pair.cells = vectorField(layout_->mesh.nCells(), Zero);
+        fields.vectors.push_back(&pair.cells);
+    }
+    for (label row = 0; row < weights_.nRows(); ++row)
+    {
+        for (const ScalarSpread& pair : scalars) spreadRow(weights_, row, pair.grains, pair.cells);
+        for (const VectorSpread& pair : vectors) spreadRow(weights_, row, pair.grains, pair.cells);
+    }
+    finishSpread(fields);
+}
+
+// From fields of own cells to what the shares of own and halo cells are taken of.
+void GrainMapping::makeAsGrainsSee(const CellFields& cells) const
+{
+    layout_->redistribution.sample(cells);
+    for (scalarField* field : cells.scalars) smoother_.smooth(*field);
+    for (vectorField* field : cells.vectors) smoother_.smooth(*field);
+    cells.resize(layout_->mesh.nCells());
+    layout_->exchange.toHalo(cells);
+}
+
+void GrainMapping::sample(const std::vector<ScalarSample>& scalars, const std::vector<VectorSample>& vectors) const
+{
+    std::vector<scalarField> scalarCells;
+    std::vector<vectorField> vectorCells;
+    for (const ScalarSample& pair : scalars)
+    {
+        scalarCells.push_back(pair.cells);
+        pair.grains.assign(weights_.nRows(), 0);
+    }
+    for (const VectorSample& pair : vectors)
+    {
+        vectorCells.push_back(pair.cells);
+        pair.grains.assign(weights_.nRows(), Vec3::Zero());
+    }
+    CellFields fields;
+    for (scalarField& field : scalarCells) fields.scalars.push_back(&field);
+    for (vectorField& field : vectorCells) fields.vectors.push_back(&field);
+    makeAsGrainsSee(fields);
+    for (label row = 0; row < weights_.nRows(); ++row)
+    {
+        for (std::size_t k = 0; k < scalars.size(); ++k) sampleRow(weights_, row, scalarCells[k], scalars[k].grains);
+        for (std::size_t k = 0; k < vectors.size(); ++k) sampleRow(weights_, row, vectorCells[k], vectors[k].grains);
+    }
+}
+
+void GrainMapping::spread(const std::vector<scalar>& grains, scalarField& perVolume) const
+{
+    spread({{grains, perVolume}}, {});
+}
+
+void GrainMapping::spread(const std::vector<Vec3>& grains, vectorField& perVolume) const
+{
+    spread({}, {{grains, perVolume}});
+}
+
+void GrainMapping::sample(const scalarField& cells, std::vector<scalar>& grains) const
+{
+    sample({{cells, grains}}, {});
+}
+
+void GrainMapping::sample(const vectorField& cells, std::vector<Vec3>& grains) const
+{
+    sample({}, {{cells, grains}});
+}
+
+} // namespace nscdCoupling
+} // namespace Foam

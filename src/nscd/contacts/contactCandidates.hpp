@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Which bodies could touch before the list is built again.
+#pragma once
+
+#include "nscd/contacts/contactBatching.hpp"
+#include "nscd/contacts/contactList.hpp"
+
+#include <vector>
+
+namespace nscd
+{
+
+/// Candidates among own bodies and between these and walls, ordered by body; and those with ghosts that this rank solves.
+struct Candidates
+{
+    std::vector<Candidate> isolated;   ///< see takeIsolated
+    std::vector<Candidate> inner;
+    std::vector<Candidate> interface;
+};
+
+/// The list's position, radius and `reach` are those of own bodies and of ghosts; walls have `b` = -1. The list's search is used.
+/// Where paths are expected there are no ghosts.
+/// Cost: linear in the number of bodies for any size distribution (one grid per octave of radius + reach).
+/// Errors: std::invalid_argument if a period is shorter than the largest grain
+Candidates findCandidates
+(
+    ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
+    const WallSearch& wallSearch
+);
+
+/// Moves the candidates none of whose grains has another one, on any rank, from `inner` to `isolated`. Held grains join nothing.
+void takeIsolated(const ContactList& list, Candidates& candidates);
+
+/// Packs candidates into blocks, near ones into blocks of their own, so that blocks of far ones can be left out of sweeps.
+Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter);
+
+/// Makes the blocks of a list that has its bodies, and the bodies at walls. Candidates of one body with walls stand in a row.
+/// Returns the slots of the inner candidates.
+Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candidates, double diameter);
+
+} // namespace nscd

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The persistent list of candidate contacts: pairs that could touch before the list is built again, in the order they are solved.
+#pragma once
+
+#include "nscd/base/periodicBox.hpp"
+#include "nscd/contacts/clumps/clumpContacts.hpp"
+#include "nscd/contacts/laws/cohesion.hpp"
+#include "nscd/contacts/laws/rollingFriction.hpp"
+#include "nscd/kernels/contactBlock.hpp"
+#include "nscd/kernels/halo.hpp"
+#include "nscd/scene/grains.hpp"
+#include "nscd/scene/materials.hpp"
+#include "nscd/search/pairSearch.hpp"
+#include "nscd/search/wallSearch.hpp"
+
+#include <array>
+#include <vector>
+
+namespace nscd
+{
+
+/// What a list allows a moving wall patch to move before it is stale.
+struct WallReach
+{
+    double distance = 0.0;                  ///< [m]; 0 where the patch does not move
+    Eigen::AlignedBox3d box;                ///< around the part of the patch that grains can meet, at the identity pose
+    WallPose poseAtBuild = WallPose::Identity();
+};
+
+/// Bodies are numbered as Halo says; own ones are the grains sorted along a space-filling curve; behind them one for each contact
+/// with a wall that moves, which carries the wall's velocity at the contact; one static body for all other walls comes last. A slot is a lane of a block; unused slots join the static body to itself.
+struct ContactList
+{
+    // Per own body.
+    std::vector<int> grainOf;
+    std::vector<Vec3> positionAtBuild;
+    std::vector<double> reach;              ///< distance a body may travel from positionAtBuild before the list is stale [m]
+    std::vector<Vec3> path;                 ///< displacement expected of it within pathTime, or empty: none is [m]
+    std::vector<double> slack;              ///< what of the reach its path leaves: distance it may be from where it was expected [m]
+    double pathTime = 0.0;                  ///< [s]
+    double age = 0.0;                       ///< time that bodies have moved since the list was built [s]
+
+    // Per own body, ghost and copy.
+    std::vector<Vec3> position;             ///< not wrapped since the list was built; walls know only wrapped ones [m]
+    std::vector<double> radius;
+    std::vector<double> inverseMass;        ///< 0 where held; without drag, and not split among ranks [1/kg]
+    std::vector<std::int64_t> id;
+    std::vector<Body> bodies;               ///< further ones: at walls that move, and the static body
+
+    std::vector<GhostGrain> ghosts;         ///< those that contacts here need
+    std::vector<GhostGrain> solvedElsewhere;  ///< others nearby
+    Halo halo;
+
+    // Per slot.
+    std::vector<ContactBlock> blocks;
+    std::size_t isolatedBlocks = 0;         ///< the first ones: contacts none of whose grains has another one (isolatedPairs.hpp)
+    std::size_t interfaceBlock = 0;         ///< from this block on contacts join grains of two ranks
+    std::vector<double> gap;                ///< [m]
+    std::vector<int> wall;                  ///< wall region, or -1 for a pair of grains
+    std::vector<std::array<signed char, 3>> image;  ///< periodic shift of body B, in periods
+    std::vector<double> restitution;        ///< empty if no pair of materials has any
+    RollingSlots rolling;                   ///< likewise
+    bool hasRolling = false;                ///< whether any pair resists rolling or spinning, here or on another rank
+    CohesiveSlots cohesion;                 ///< likewise
+
+    ClumpList clumps;                       ///< empty in scenes without
+
+    std::vector<std::uint32_t> awake;       ///< blocks that can matter in this step, ascending; set by prepareSlots
+
+    std::size_t candidates = 0;             ///< on this rank
+    std::vector<std::uint32_t> slotsOfWalls;  ///< all contacts with walls, ascending
+    std::vector<std::size_t> fastPairs;     ///< slots of pairs that may move by much of their size in a step; see aimFastPairs()
+    std::vector<std::size_t> aimedPairs;    ///< of these, those aimed since the geometry was new
+    std::vector<int> wallSlots;             ///< slots of outlined walls, grouped by body, for the suppression of ghost contacts
+    std::vector<std::size_t> movingSlots;   ///< slot of each body at a wall that moves
+    std::vector<WallReach> wallReach;       ///< per patch; empty if none moves
+    std::vector<int> wallSlotStart;         ///< group k is wallSlots[wallSlotStart[k] .. wallSlotStart[k+1])
+    PairSearch search;                      ///< its memory serves list after list
+
+    int owned() const { return static_cast<int>(grainOf.size()); }
+    int firstWallBody() const { return static_cast<int>(position.size()); }
+    int staticBody() const { return static_cast<int>(bodies.size()) - 1; }
+    std::size_t slots() const { return gap.size(); }
+    bool isUsed(std::size_t slot) const { return blocks[slot/blockLanes].a[slot % blockLanes] != staticBody(); }
+
+    /// Index of a body's grain; of ghost g: the number of own grains + g.
+    int grain(int body) const { return body < owned() ? grainOf[body] : body < halo.firstCopy() ? body : grainOf[ownBody(body)]; }
+    /// The body itself, of a copy the own one.
+    int ownBody(int body) const { return body < owned() || body < halo.firstCopy() ? body : halo.copied()[body - halo.firstCopy()]; }
+};
+
+/// Impulse of the slot, on A, without attraction [N s].
+inline Vec3 impulse(const ContactList& list, std::size_t slot)
+{
+    const ContactBlock& block = list.blocks[slot/blockLanes];
+    const std::size_t lane = slot % blockLanes;
+    return Vec3(block.r[0][lane], block.r[1][lane], block.r[2][lane]);
+}
+
+inline void setImpulse(ContactList& list, std::size_t slot, const Vec3& r)
+{
+    ContactBlock& block = list.blocks[slot/blockLanes];
+    for (int k = 0; k < 3; ++k) block.r[k][slot % blockLanes] = r[k];
+}
+
+inline Vec3 normal(const ContactList& list, std::size_t slot)
+{
+    const ContactBlock& block = list.blocks[slot/blockLanes];
+    const std::size_t lane = slot % blockLanes;
+    return Vec3(block.n[0][lane], block.n[1][lane], block.n[2][lane]);
+}
+
+/// What the search needs to know of the scene.
+struct Scene
+{
+    const Grains& grains;
+    const Materials& materials;
+    const Walls& walls;
+    const PeriodicBox& box;
+};
+
+/// How grains are expected to move until the list is built again.
+struct ExpectedMotion
+{
+    std::vector<Vec3> velocity;   ///< of each grain, or empty [m/s]
+    double time = 0.0;            ///< [s]
+};
+
+/// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].
+/// A reach is how far a grain may travel before the list is stale, and the range of cohesion. Where motion is expected, own pairs that do
+/// not come near one another in it are left out, and a grain that moves otherwise, by more than its reach less its path, makes the list stale. `old`: a list whose memory is used again.
+/// Errors: std::invalid_argument if a period is shorter than the largest grain
+ContactList buildContactList
+(
+    const Scene& scene, const WallSearch& wallSearch, const std::vector<double>& reach, std::vector<WallReach> wallReach,
+    double diameter, Exchange& exchange, ContactList old = ContactList(), const ExpectedMotion& expected = ExpectedMotion()
+);
+
+} // namespace nscd

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Room for blocks, coefficients of each candidate, and its place.
+#include "nscd/contacts/listBlocks.hpp"
+
+#include <algorithm>
+
+namespace nscd
+{
+
+namespace
+{
+
+const ContactPair& coefficients(const std::vector<int>& material, const Scene& scene, const Candidate& candidate)
+{
+    const int materialB = candidate.wall >= 0
+        ? scene.walls.patches[scene.walls.regions[candidate.wall].patch].material
+        : material[candidate.b];
+    return scene.materials.pair(material[candidate.a], materialB);
+}
+
+/// Room for a number of elements in an empty array, and some more if it grows: numbers of candidates go up and down. What is there goes first.
+template<class Element>
+void makeRoom(std::vector<Element>& array, std::size_t number)
+{
+    if (array.capacity() >= number) return;
+    const std::size_t more = array.capacity() > 0 ? number/32 : 0;
+    array = std::vector<Element>();
+    array.reserve(number + more);
+}
+
+RollingSlot rollingSlot(const ContactList& list, const Candidate& candidate, const ContactPair& pair)
+{
+    RollingSlot slot;
+    slot.rolling = pair.rollingFriction;
+    slot.spinning = pair.spinningFriction;
+    slot.shareA = slot.shareB = 1.0;
+    if (candidate.wall >= 0) return slot;
+    const double radiusA = list.radius[candidate.a];
+    slot.shareB = radiusA/(radiusA + list.radius[candidate.b]);
+    slot.shareA = 1.0 - slot.shareB;
+    return slot;
+}
+
+/// What a pair has beyond friction.
+void setOptionalLaws(ContactList& list, std::size_t slot, const Candidate& candidate, const ContactPair& pair)
+{
+    if (!list.restitution.empty()) list.restitution[slot] = pair.restitution;
+    if (!list.rolling.empty()) list.rolling[slot] = rollingSlot(list, candidate, pair);
+    if (!list.cohesion.empty()) list.cohesion[slot] = {pair.cohesion, pair.cohesionRange, {0.0, 0.0, 0.0}, false};
+}
+
+} // namespace
+
+std::vector<int> materialOfBodies(const ContactList& list, const Scene& scene)
+{
+    std::vector<int> material(list.position.size());
+    for (int body = 0; body < list.firstWallBody(); ++body)
+    {
+        const int own = list.ownBody(body);
+        material[body] = own < list.owned() ? scene.grains.material[list.grainOf[own]] : list.ghosts[own - list.owned()].material;
+    }
+    return material;
+}
+
+void reserveBlocks(ContactList& list, const Scene& scene, std::size_t blocks)
+{
+    makeRoom(list.blocks, blocks);
+    makeRoom(list.gap, blocks*blockLanes);
+    makeRoom(list.wall, blocks*blockLanes);
+    makeRoom(list.image, blocks*blockLanes);
+    if (scene.materials.anyRestitution()) list.restitution.reserve(blocks*blockLanes);
+    if (scene.materials.anyRolling()) list.rolling.reserve(blocks*blockLanes);
+    if (scene.materials.anyCohesion()) list.cohesion.reserve(blocks*blockLanes);
+}
+
+void appendBlocks
+(
+    ContactList& list, const Scene& scene, const std::vector<int>& material, const std::vector<Candidate>& candidates, Batches& batches
+)
+{
+    const std::size_t before = list.slots(), slots = before + batches.blocks*blockLanes;
+    list.blocks.resize(list.blocks.size() + batches.blocks, emptyBlock(list.staticBody()));
+    list.gap.resize(slots, 0.0);
+    list.wall.resize(slots, -1);
+    list.image.resize(slots, {0, 0, 0});
+    if (scene.materials.anyRestitution()) list.restitution.resize(slots, 0.0);
+    if (scene.materials.anyRolling()) list.rolling.resize(slots);
+    if (scene.materials.anyCohesion()) list.cohesion.resize(slots);
+    list.candidates += candidates.size();
+
+    for (std::size_t k = 0; k < candidates.size(); ++k)
+    {
+        const Candidate& candidate = candidates[k];
+        const std::size_t slot = batches.slotOf[k] += static_cast<std::uint32_t>(before);
+        ContactBlock& block = list.blocks[slot/blockLanes];
+        block.a[slot % blockLanes] = candidate.a;
+        block.b[slot % blockLanes] = candidate.b;
+        const ContactPair& pair = coefficients(material, scene, candidate);
+        block.friction[slot % blockLanes] = pair.friction;
+        setOptionalLaws(list, slot, candidate, pair);
+        list.wall[slot] = candidate.wall;
+        list.image[slot] = candidate.image;
+    }
+}
+
+} // namespace nscd

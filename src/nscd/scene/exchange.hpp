@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The seam between the grain library and other ranks: everything it asks of them, and the answers of a serial run.
+#pragma once
+
+#include "nscd/base/periodicBox.hpp"
+#include "nscd/scene/grains.hpp"
+
+#include <vector>
+
+namespace nscd
+{
+
+/// A grain of another rank that could touch one of this rank.
+struct GhostGrain
+{
+    Vec3 position;         ///< in the periodic box [m]
+    double radius;         ///< [m]
+    double reach;          ///< distance it may travel before lists are stale [m]
+    double inverseMass;    ///< 0 where held [1/kg]
+    std::int64_t id;
+    int material;
+    int owner;             ///< rank that owns it
+    int index;             ///< in the owner's grains
+};
+
+/// An impulse that the grain `index` of rank `rank` gets from grain `id`.
+struct ImpulseForOwner
+{
+    int rank;
+    int index;
+    std::int64_t id;
+    Vec3 impulse;  ///< [N s]
+};
+
+/// What the grain library needs from other ranks. One object per GrainDynamics; the base class is a serial run.
+/// All functions are collective: every rank calls them in the same order.
+class Exchange
+{
+public:
+    virtual ~Exchange() = default;
+
+    virtual int rank() const { return 0; }
+    virtual bool isParallel() const { return false; }
+
+    /// Replaces `count` values by their sums or maxima over all ranks; the same bits on every rank.
+    virtual void sum(double* /*values*/, int /*count*/) const {}
+    virtual void max(double* /*values*/, int /*count*/) const {}
+    /// Two sums and a maximum in one go.
+    virtual void sumAndMax(double (&/*sums*/)[2], double& /*max*/) const {}
+
+    /// Grains of other ranks whose spheres of radius + reach may meet one of this rank's, in a periodic image perhaps: all that
+    /// do, and others nearby. In an order that is the same from run to run.
+    virtual std::vector<GhostGrain> findGhosts(const Grains& /*owned*/, const std::vector<double>& /*reach*/, const PeriodicBox&)
+    {
+        return {};
+    }
+
+    /// Sets up toGhosts() and toOwners() for `ghosts`, in this order. Returns this rank's own grains that others hold as ghosts,
+    /// one entry for each rank that does, in the order of their values in toGhosts().
+    virtual std::vector<int> connect(const std::vector<GhostGrain>& /*ghosts*/) { return {}; }
+
+    /// Copies `width` numbers from each entry of the list that connect() returned to the ghosts it has elsewhere.
+    virtual void toGhosts(const std::vector<double>& /*shared*/, std::vector<double>& /*ghosts*/, int /*width*/) const {}
+
+    /// Brings `width` numbers of each ghost back to the entries it stands for.
+    virtual void toOwners(const std::vector<double>& /*ghosts*/, std::vector<double>& /*shared*/, int /*width*/) const {}
+
+    /// Hands each entry to its rank; returns those for this rank, by sender and in the order they were given.
+    virtual std::vector<ImpulseForOwner> deliver(const std::vector<ImpulseForOwner>& entries) const { return entries; }
+};
+
+} // namespace nscd

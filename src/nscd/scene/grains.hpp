@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The grains: rigid spheres (3D) or discs (2D), one plain array per property.
+#pragma once
+
+#include "nscd/base/vec3.hpp"
+#include "nscd/scene/clumps.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace nscd
+{
+
+/// Shape of all grains of a scene, which fixes mass and inertia J = kappa m R^2.
+struct GrainShape
+{
+    /// 3: spheres, kappa = 2/5. 2: discs (cylinders of length `thickness`), kappa = 1/2.
+    int dimensions = 3;
+    /// Length of a disc along the empty direction [m]; not used in 3D.
+    double thickness = 1.0;
+    /// 2D: 0, 1 or 2, the axis that nothing moves along; walls then get no velocity and no normal along it, to the last bit (else
+    /// round-off of triangulated walls grows), and walls that face along it are not felt. -1: walls are exact without that.
+    int emptyAxis = -1;
+
+    double inertiaFactor() const { return dimensions == 2 ? 0.5 : 0.4; }
+    double volume(double radius) const;
+};
+
+/// Grains in the order their owner gave them; that order never changes during a run.
+/// Units: SI. Owned grains come first; ghosts of other ranks follow from index nOwned on.
+struct Grains
+{
+    GrainShape shape;
+    std::size_t nOwned = 0;
+
+    std::vector<Vec3> position;
+    std::vector<Vec3> velocity;
+    std::vector<Vec3> omega;              ///< angular velocity, world frame [rad/s]
+    std::vector<Quaternion> orientation;
+    std::vector<double> radius;
+    std::vector<double> mass;
+    std::vector<int> material;            ///< index into Materials
+    std::vector<std::int64_t> id;         ///< unique over all ranks and the whole run
+    std::vector<std::uint8_t> isFixed;    ///< 1: held or driven, infinite mass: moves with its velocity and omega as given
+
+    /// Rigid assemblies of some of the grains; whoever reorders or removes grains keeps their indices right.
+    Clumps clumps;
+
+    std::size_t size() const { return position.size(); }
+    double volume(std::size_t i) const { return shape.volume(radius[i]); }
+
+    /// Appends one owned grain at rest.
+    /// Errors: std::invalid_argument for a radius or density that is not finite and positive, or a position that is not finite
+    void add(const Vec3& position, double radius, double density, int material, std::int64_t id);
+
+    /// Makes room for so many grains, or gives back what is not used.
+    void reserve(std::size_t number);
+    void shrinkToFit();
+
+    /// Calls change(values) for each of the arrays with an entry per grain.
+    template<class Change>
+    void forEachArray(const Change& change);
+};
+
+template<class Change>
+void Grains::forEachArray(const Change& change)
+{
+    change(position);
+    change(velocity);
+    change(omega);
+    change(orientation);
+    change(radius);
+    change(mass);
+    change(material);
+    change(id);
+    change(isFixed);
+}
+
+/// Sum of all owned grains' volume [m3].
+double totalVolume(const Grains& grains);
+
+/// Center of mass of the owned grains [m]; zero when there are none.
+Vec3 massCenter(const Grains& grains);
+
+/// Sum of m v^2/2 + kappa m R^2 omega^2/2 over the owned grains, of clumps as wholes [J].
+double kineticEnergy(const Grains& grains);
+
+} // namespace nscd

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Overlaps of grains with each other and with walls, found in linear time.
+#pragma once
+
+#include "nscd/base/periodicBox.hpp"
+#include "nscd/scene/grains.hpp"
+#include "nscd/scene/walls.hpp"
+
+#include <vector>
+
+namespace nscd
+{
+
+/// Two bodies that interpenetrate.
+struct Overlap
+{
+    std::size_t grain;
+    long partner;        ///< index of the other grain, or -1 - index of a wall region
+    double share;        ///< depth over the diameter of the smaller body
+    bool isCoincident;   ///< centers of two grains in one point
+};
+
+/// Overlaps between grains of more than `maxShare`, and all coincident centers.
+std::vector<Overlap> grainOverlaps(const Grains& grains, const PeriodicBox& box, double maxShare);
+
+/// Overlaps of more than `maxShare` between grains whose centers lie in the domain and walls.
+std::vector<Overlap> wallOverlaps(const Grains& grains, const Walls& walls, double maxShare);
+
+} // namespace nscd

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Linked-cell search for pairs of bodies nearer than the sum of their effective radii.
+#pragma once
+
+#include "nscd/base/periodicBox.hpp"
+#include "nscd/search/cellGrid.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace nscd
+{
+
+struct BodyPair
+{
+    int a;                             ///< a < b, or a == b never
+    int b;
+    std::array<signed char, 3> image;  ///< shift of b in periods: its image is at x_b + image*length
+};
+
+/// Finds pairs again and again, and keeps its memory meanwhile.
+/// Method:   one grid per octave of size; a body looks in its own grid (half stencil) and, row by row of its sphere, in the finer ones.
+class PairSearch
+{
+public:
+    /// All pairs with |x_a - x_b - image*length| < size_a + size_b.
+    /// Shapes:   position [n], size [n]; result ordered by a, valid until the next call
+    /// Errors:   std::invalid_argument if a period is shorter than twice the largest radius given
+    const std::vector<BodyPair>& find
+    (
+        const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius
+    );
+
+private:
+    void groupByOctave(const std::vector<double>& size);
+
+    std::vector<CellGrid> grids_;   ///< finest first
+    std::vector<BodyPair> found_, sorted_;
+    std::vector<std::uint32_t> next_;
+};
+
+/// The same, once.
+std::vector<BodyPair> findPairs
+(
+    const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius
+);
+
+} // namespace nscd

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Prices and masses.
+#include "nscd/solvers/direct/directHelp.hpp"
+
+#include "nscd/solvers/direct/directSolve.hpp"
+#include "nscd/solvers/help/capGuard.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Base force of a stack of 19 under a body 100 times heavier, by sweeps alone at the default tolerance: off by 0.1; under 1e4: by 0.7.
+constexpr double harmlessMassRatio = 50.0;
+/// Earlier a price is not worth asking for.
+constexpr int firstLook = 500;
+/// In sweeps up to the cap: what the direct method may cost where grains hardly move. In a flow, impulses change from step to step.
+constexpr double mostPerCap = 10.0;
+constexpr double restMotion = 0.1;
+
+/// Largest ratio of masses of two bodies that a loaded contact joins.
+double loadedMassRatio(const ContactProblem& problem)
+{
+    double largest = 1.0;
+    for (const ContactBlock& block : problem.blocks)
+    {
+        for (int lane = 0; lane < blockLanes; ++lane)
+        {
+            const double a = problem.bodies[block.a[lane]].invMass, b = problem.bodies[block.b[lane]].invMass;
+            const bool isLoaded = block.r[0][lane] != 0.0 || block.r[1][lane] != 0.0 || block.r[2][lane] != 0.0;
+            if (isLoaded && a > 0.0 && b > 0.0) largest = std::max({largest, a/b, b/a});
+        }
+    }
+    return problem.halo.max(largest);
+}
+
+} // namespace
+
+double DirectHelp::priceLimit() const
+{
+    return (problem_.motion < restMotion ? mostPerCap : 1.0)*settings_.maxSweeps;
+}
+
+bool DirectHelp::isDue(int sweeps)
+{
+    if (problem_.halo.isParallel() || problem_.clumps || isDone_) return false;
+    if (!hasPrice_ && sweeps >= std::min(firstLook, settings_.maxSweeps))
+    {
+        hasPrice_ = true;
+        const double price = DirectSolve(problem_).price(priceLimit());
+        if (price <= priceLimit()) due_ = static_cast<int>(std::min<double>(settings_.maxSweeps, price));
+    }
+    return sweeps >= due_;
+}
+
+void DirectHelp::solve(const StopRule& rule)
+{
+    isDone_ = true;
+    newtonSteps_ += DirectSolve(problem_).run(rule, directFineness);
+    wakeBlocks(problem_);
+}
+
+void DirectHelp::checkHeavyBodies(SolveReport& report, const StopRule& rule)
+{
+    if (!(problem_.massRatio > harmlessMassRatio) || isDone_) return;
+    const double ratio = loadedMassRatio(problem_);
+    if (!(ratio > harmlessMassRatio)) return;
+    if (!problem_.halo.isParallel() && !problem_.clumps && DirectSolve(problem_).price(priceLimit()) <= priceLimit()) solve(rule);
+    else report.hiddenMassRatio = ratio;
+}
+
+bool DirectHelp::complete(SolveReport& report, const StopRule& rule)
+{
+    const bool wasDone = isDone_;
+    checkHeavyBodies(report, rule);
+    report.newtonSteps = newtonSteps_;
+    return isDone_ && !wasDone;
+}
+
+namespace
+{
+
+std::string massWarning(const SolveReport& report)
+{
+    char text[600] = "";
+    if (report.hiddenMassRatio == 0.0) return text;
+    std::snprintf
+    (
+        text, sizeof(text),
+        "masses in contact differ by up to 1:%.3g, and the direct method is too dear for this scene or not to be had on several ranks: "
+        "velocities have the accuracy asked for, forces under the heavy bodies may not; ask for a finer tolerance where they matter",
+        report.hiddenMassRatio
+    );
+    return text;
+}
+
+std::string energyWarning(const SolveReport& report)
+{
+    char text[600] = "";
+    if (!report.hasGainedEnergy()) return text;
+    std::snprintf
+    (
+        text, sizeof(text),
+        "restitution and friction at once would have created %.3g J in a step (Newton's law of impact may): all its rebounds were "
+        "multiplied by %.3g, so that none was",
+        report.shockWork, report.reboundShare
+    );
+    return text;
+}
+
+} // namespace
+
+std::string warning(const SolveReport& report)
+{
+    std::string all;
+    for (const std::string& one : {massWarning(report), energyWarning(report), capWarning(report)})
+    {
+        if (!one.empty()) all += (all.empty() ? "" : "; and ") + one;
+    }
+    return all;
+}
+
+} // namespace nscd

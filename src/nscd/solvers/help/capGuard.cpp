@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Counting steps at the cap.
+#include "nscd/solvers/help/capGuard.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace nscd
+{
+
+ContactSettings CapGuard::apply(ContactSettings settings) const
+{
+    settings.maxSweeps = std::max(settings.maxSweeps, raised_);
+    return settings;
+}
+
+void CapGuard::note(SolveReport& report, const ContactSettings& settings)
+{
+    if (!settings.raiseCap || settings.maxSweeps >= enough) return;
+    report.raisedCap = raised_;
+    report.userCap = settings.maxSweeps;
+    atCap_ = report.converged ? 0 : atCap_ + 1;
+    within_ = report.converged && report.sweeps <= settings.maxSweeps ? within_ + 1 : 0;
+    if (atCap_ == patience)
+    {
+        raised_ = std::min(enough, 2*std::max(settings.maxSweeps, raised_));
+        atCap_ = 0;
+    }
+    else if (within_ >= patience) raised_ = 0;
+}
+
+std::string capWarning(const SolveReport& report)
+{
+    if (report.raisedCap == 0) return "";
+    char text[300];
+    std::snprintf
+    (
+        text, sizeof(text),
+        "step after step ended at the cap of %d sweeps, with which grains at rest sink and bounce without end: the cap is now %d; a larger "
+        "maxSweeps, a smaller time step or a coarser tolerance would do as well",
+        report.userCap, report.raisedCap
+    );
+    return text;
+}
+
+} // namespace nscd

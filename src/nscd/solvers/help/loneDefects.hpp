@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Sweeps over the few contacts that keep a solution from being polished.
+#pragma once
+
+#include "nscd/solvers/contactSolver.hpp"
+
+namespace nscd
+{
+
+/// Sweeps over the contacts whose defect exceeds half the largest one of a polished solution and over those a few contacts away, until
+/// none does, or that has cost as much as five sweeps over all. In a bed at rest these are tens of tens of thousands, around
+/// grains that roll, and need ten times the sweeps that all others do. Call it on all ranks.
+/// Returns whether none does any more.
+bool polishLoneDefects(ContactProblem& problem, const StopRule& rule);
+
+} // namespace nscd

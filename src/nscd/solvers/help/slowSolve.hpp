@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Help for a Gauss-Seidel solve that turns out to be slow.
+#pragma once
+
+#include "nscd/solvers/help/andersonAcceleration.hpp"
+#include "nscd/solvers/help/contactQueue.hpp"
+#include "nscd/solvers/help/sweepMomentum.hpp"
+
+#include <limits>
+#include <memory>
+
+namespace nscd
+{
+
+/// Watches the sweeps of one solve. After some sweeps it mixes iterates, or gives them momentum where the solve began without any
+/// impulse or most grains move, which shortens what is slow everywhere (weight passed down through layers). When all that is left
+/// is a few bad contacts it works those off by a queue, since clusters that wedge or slip take hundreds of visits and would
+/// otherwise make as many sweeps over everything.
+class SlowSolve
+{
+public:
+    explicit SlowSolve(ContactProblem& problem);
+
+    /// `sums`: defects that the sweep met, or those that it left, where these were looked at. Returns the work done beside sweeps, in sweeps.
+    int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule);
+
+    /// To be called when something else changed the solution: what was collected about it is of no use.
+    void forget();
+    /// To be called when blocks woke up.
+    void wake();
+
+private:
+    bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const;
+    int solveLocally(int sweeps, const StopRule& rule);
+    bool isSlow(int sweepsBetween, const DefectSums& sums);
+    void start(int sweeps);
+    bool isFlowing() const;
+    void makeMixing();
+    void restart();
+    void judgeTerm(int sweeps);
+    void mix(const DefectSums& sums, const StopRule& rule);
+    void revert();
+    bool isMixingDue(const DefectSums& sums, const StopRule& rule) const;
+    void forgetDirections();
+
+    ContactProblem& problem_;
+    bool isCold_;               ///< started without any impulse (here, until all ranks were asked)
+    std::unique_ptr<AndersonAcceleration> anderson_;
+    std::unique_ptr<SweepMomentum> momentum_;   ///< in its place in a cold solve, and in a flow
+    AndersonAcceleration::Impulses start_;      ///< impulses after the last mixing
+    std::unique_ptr<ContactQueue> queue_;
+    int sinceMixing_ = 0;
+    int lastLocal_ = 0;
+    bool isMixed_ = false;
+    int pause_ = 30;
+    int endOfTerm_ = 0;
+    bool isPausing_ = false;
+    double best_ = std::numeric_limits<double>::max();
+    double bestBefore_ = std::numeric_limits<double>::max();
+    double squaresBefore_ = std::numeric_limits<double>::max();
+};
+
+} // namespace nscd

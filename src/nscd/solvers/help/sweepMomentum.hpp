@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Momentum for Gauss-Seidel sweeps: what shortens cold solves, in which weight has many layers to come down through, and flows.
+#pragma once
+
+#include "nscd/solvers/contactSolver.hpp"
+#include "nscd/solvers/help/andersonAcceleration.hpp"
+
+namespace nscd
+{
+
+/// Accelerated sweeps: r_k = F(y_k), F one sweep; y_{k+1} = r_k + theta (r_k - r_{k-1}), velocities likewise, since they are linear in the impulses. y may
+/// lie outside of the friction cones: a sweep over spheres asks what acts on a contact beside its own impulse, so r_{k+1} does not.
+/// falling: theta = min((t - 1)/t', limit), t' = (1 + sqrt(1 + 4 t^2))/2 (Nesterov 1983), with t = 1 again where (y - r).W_nn (r_k - r_{k-1}) > 0
+/// (O'Donoghue & Candes 2015, gradient scheme). Deviations: a sweep takes the place of a gradient step; the limit 1 - 1.2/depth, depth of the
+/// grains in d along the way they fall, within [0.9, 0.99]: with more momentum weight swings, with less it comes down slowly.
+/// flowing: theta = 0.9, near the solution 0.8. What is to be found is near by: impulses that moving grains rearrange, not weight from far above.
+class SweepMomentum
+{
+public:
+    using Impulses = AndersonAcceleration::Impulses;
+    enum class Kind { falling, flowing };
+
+    /// For the active blocks of a problem, which must stay as they are until forget(); of all ranks.
+    SweepMomentum(ContactProblem& problem, Kind kind);
+
+    /// Turns what a sweep has led to, r_k, into the next y, in flows once the next sweep comes by. `isNear`: whether the solution is near.
+    void advance(bool isNear = false);
+
+    /// Back to r_k.
+    void revert();
+
+    /// Drops r_{k-1}, and with it the direction, not the pace.
+    void forget() { hasImage_ = false; }
+
+    /// Takes in active blocks that have come behind the others, and carry nothing.
+    void grow();
+
+private:
+    bool isLinear() const { return !problem_.rolling && !problem_.clumps; }
+    double nextTheta(bool isNear);
+    double uphill() const;
+    void keepImage();
+    void extrapolate(double theta);
+    void extrapolateImpulsesAlone(double theta);
+
+    ContactProblem& problem_;
+    Kind kind_;
+    double limit_;        ///< of theta, where grains fall
+    double pace_ = 1.0;   ///< t
+    bool hasImage_ = false;
+    Impulses image_;      ///< r_k
+    std::vector<Body> bodies_;   ///< with the velocities of r_k
+    Impulses start_;      ///< y, where it is asked for
+};
+
+} // namespace nscd

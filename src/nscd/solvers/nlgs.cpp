@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Nonlinear Gauss-Seidel (Algorithm 2 of the method): sweeps over all contacts, warm started, with help when slow.
+#include "nscd/solvers/direct/directHelp.hpp"
+#include "nscd/solvers/help/loneDefects.hpp"
+#include "nscd/solvers/help/packedContacts.hpp"
+#include "nscd/solvers/help/slowSolve.hpp"
+#include "nscd/solvers/sweepLoop.hpp"
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Mixing and queue for slow solves, and the direct method where it is the cheaper way.
+class NlgsHelp
+{
+public:
+    NlgsHelp(ContactProblem& problem, const ContactSettings& settings)
+    :
+        problem_(problem),
+        isAccelerated_(settings.accelerate),
+        maxSweeps_(settings.maxSweeps),
+        slowSolve_(problem),
+        direct_(problem, settings)
+    {}
+
+    int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule)
+    {
+        const bool isDirect = direct_.isDue(sweeps);
+        // Momentum may lead out of the friction cones: a sweep has to follow.
+        const int work = isAccelerated_ && !isDirect && sweeps < maxSweeps_ ? slowSolve_.afterSweep(sweeps, sums, rule) : 0;
+        if (isDirect)
+        {
+            direct_.solve(rule);
+            slowSolve_.forget();
+        }
+        return work;
+    }
+
+    bool polish(const DefectSums& sums, const StopRule& rule)
+    {
+        if (rule.isPolished(sums)) return true;
+        if (areDefectsLone_ && rule.hasLoneDefects(sums)) return areDefectsLone_ = polishLoneDefects(problem_, rule);
+        return false;
+    }
+
+    void forget() { slowSolve_.wake(); }
+
+    void complete(SolveReport& report, const StopRule& rule)
+    {
+        if (direct_.complete(report, rule)) slowSolve_.forget();
+    }
+
+private:
+    ContactProblem& problem_;
+    bool isAccelerated_;
+    int maxSweeps_;
+    bool areDefectsLone_ = true;   ///< as long as working on them alone has done
+    SlowSolve slowSolve_;
+    DirectHelp direct_;
+};
+
+SolveReport sweepWithHelp(ContactProblem& problem, const ContactSettings& settings)
+{
+    NlgsHelp help(problem, settings);
+    return sweepUntilMet(problem, settings, sweepActive, help);
+}
+
+} // namespace
+
+SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings)
+{
+    if (!problem.halo.any(!problem.blocks.empty())) return SolveReport();
+    if (!problem.packing) return sweepWithHelp(problem, settings);
+    SolveReport report;
+    if (problem.packing->isWorthwhile(problem))
+    {
+        ContactProblem packed = problem.packing->pack(problem);
+        report = sweepWithHelp(packed, settings);
+        problem.packing->giveBack(problem);
+    }
+    else report = sweepWithHelp(problem, settings);
+    problem.packing->note(report.sweeps);
+    return report;
+}
+
+} // namespace nscd

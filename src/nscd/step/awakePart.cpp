@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Cutting the part of a list that awake grains need, and putting it back.
+#include "nscd/step/awakePart.hpp"
+
+#include "nscd/contacts/contactCandidates.hpp"
+#include "nscd/step/sweptPairs.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Copies what a slot holds of geometry and impulses.
+void copySlot(const ContactList& from, std::size_t source, ContactList& to, std::size_t target)
+{
+    const Vec3 n = normal(from, source);
+    ContactBlock& block = to.blocks[target/blockLanes];
+    for (int k = 0; k < 3; ++k) block.n[k][target % blockLanes] = n[k];
+    setImpulse(to, target, impulse(from, source));
+    to.gap[target] = from.gap[source];
+    if (!to.rolling.empty()) to.rolling[target] = from.rolling[source];
+    if (!to.cohesion.empty()) to.cohesion[target] = from.cohesion[source];
+}
+
+void add(std::vector<Vec3>& sum, const std::vector<Vec3>& more, double factor)
+{
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += factor*more[k];
+}
+
+void add(ContactForces& sum, const ContactForces& more, double factor)
+{
+    add(sum.force, more.force, factor);
+    add(sum.torque, more.torque, factor);
+    add(sum.wall, more.wall, factor);
+    add(sum.wallTorque, more.wallTorque, factor);
+}
+
+} // namespace
+
+template<class Visit>
+void AwakePart::forEachSlot(const ContactList& part, const Visit& visit) const
+{
+    for (std::size_t slot = 0; slot < part.slots(); ++slot)
+    {
+        if (part.isUsed(slot)) visit(slot, slotInWhole_[slot]);
+    }
+}
+
+void AwakePart::hold(ContactList whole, ContactForceSum& sumForces, const Scene& scene, double deltaT)
+{
+    whole_ = std::move(whole);
+    forces_ = sumForces(whole_, {nullptr, whole_.blocks.size()}, scene, deltaT);
+    bodyOf_.resize(whole_.owned());
+    for (int body = 0; body < whole_.owned(); ++body) bodyOf_[whole_.grainOf[body]] = body;
+    findSlotsOfBodies();
+}
+
+void AwakePart::findSlotsOfBodies()
+{
+    slotStart_.assign(whole_.owned() + 1, 0);
+    const auto forEach = [&](const auto& visit)
+    {
+        for (std::size_t slot = 0; slot < whole_.slots(); ++slot)
+        {
+            if (!whole_.isUsed(slot)) continue;
+            const ContactBlock& block = whole_.blocks[slot/blockLanes];
+            for (int body : {block.a[slot % blockLanes], block.b[slot % blockLanes]})
+            {
+                if (body < whole_.owned()) visit(body, static_cast<std::uint32_t>(slot));
+            }
+        }
+    };
+    forEach([&](int body, std::uint32_t) { ++slotStart_[body + 1]; });
+    std::partial_sum(slotStart_.begin(), slotStart_.end(), slotStart_.begin());
+    slots_.resize(slotStart_.back());
+    std::vector<std::uint32_t> next(slotStart_.begin(), slotStart_.end() - 1);
+    forEach([&](int body, std::uint32_t slot) { slots_[next[body]++] = slot; });
+}
+
+/// At a wall one that is not a grain's.
+int AwakePart::otherBody(std::size_t slot, int body) const
+{
+    const ContactBlock& block = whole_.blocks[slot/blockLanes];
+    const int a = block.a[slot % blockLanes];
+    return a == body ? block.b[slot % blockLanes] : a;
+}
+
+/// Also notes the bodies of the part. Body by body, walls first, so that the slots of a body with walls stand together.
+std::vector<std::uint32_t> AwakePart::slotsOfAwake(const GrainSleep& sleep)
+{
+    const auto isAwake = [&](int body) { return body < whole_.owned() && !sleep.isAsleep(whole_.grainOf[body]); };
+    bodies_.clear();
+    std::vector<std::uint32_t> found;
+    for (int body = 0; body < whole_.owned(); ++body)
+    {
+        if (!isAwake(body)) continue;
+        bodies_.push_back(body);
+        for (const bool isWall : {true, false})
+        for (std::uint32_t k = slotStart_[body]; k < slotStart_[body + 1]; ++k)
+        {
+            if ((whole_.wall[slots_[k]] >= 0) != isWall) continue;
+            const int other = otherBody(slots_[k], body);
+            if (isAwake(other) && other < body) continue;  // found there
+            found.push_back(slots_[k]);
+            if (!isWall) bodies_.push_back(other);
+        }
+    }
+    isEmpty_ = bodies_.empty();
+    std::sort(bodies_.begin(), bodies_.end());
+    bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+    return found;
+}
+
+void AwakePart::addBodies(ContactList& part, const Grains& grains, const GrainSleep& sleep) const
+{
+    for (int body : bodies_)
+    {
+        const int i = whole_.grainOf[body];
+        part.grainOf.push_back(i);
+        part.positionAtBuild.push_back(whole_.positionAtBuild[body]);
+        part.reach.push_back(whole_.reach[body]);
+        part.slack.push_back(whole_.slack[body]);
+        if (!whole_.path.empty()) part.path.push_back(whole_.path[body]);
+        part.position.push_back(whole_.position[body]);
+        part.radius.push_back(grains.radius[i]);
+        part.inverseMass.push_back(sleep.isAsleep(i) ? 0.0 : whole_.inverseMass[body]);
+        part.id.push_back(grains.id[i]);
+    }
+}
+
+void AwakePart::packSlots(ContactList& part, const Scene& scene, const std::vector<std::uint32_t>& slots, double diameter)
+{
+    const auto inPart = [&](int body) { return static_cast<int>(std::lower_bound(bodies_.begin(), bodies_.end(), body) - bodies_.begin()); };
+    Candidates candidates;
+    for (std::uint32_t slot : slots)
+    {
+        const ContactBlock& block = whole_.blocks[slot/blockLanes];
+        const int wall = whole_.wall[slot], b = wall >= 0 ? -1 : inPart(block.b[slot % blockLanes]);
+        candidates.inner.push_back({inPart(block.a[slot % blockLanes]), b, wall, whole_.image[slot]});
+    }
+    const Batches batches = packCandidates(part, scene, candidates, diameter);
+    slotInWhole_.assign(part.slots(), 0);
+    for (std::size_t k = 0; k < slots.size(); ++k) slotInWhole_[batches.slotOf[k]] = slots[k];
+}
+
+ContactList AwakePart::cut(ContactForceSum& sumForces, const Scene& scene, const GrainSleep& sleep, double diameter, double deltaT)
+{
+    ContactList part;
+    part.hasRolling = whole_.hasRolling;
+    part.pathTime = whole_.pathTime;
+    part.age = whole_.age;
+    const std::vector<std::uint32_t> slots = slotsOfAwake(sleep);
+    addBodies(part, scene.grains, sleep);
+    packSlots(part, scene, slots, diameter);
+    forEachSlot(part, [&](std::size_t slot, std::size_t inWhole) { copySlot(whole_, inWhole, part, slot); });
+    for (int body = 0; body < part.owned(); ++body) part.bodies[body] = whole_.bodies[bodies_[body]];
+    findFastPairs(part);
+
+    outside_ = {{}, {}, forces_.wall, forces_.wallTorque};
+    for (int body : bodies_)
+    {
+        outside_.force.push_back(forces_.force[body]);
+        outside_.torque.push_back(forces_.torque[body]);
+    }
+    add(outside_, sumForces(part, {nullptr, part.blocks.size()}, scene, deltaT), -1.0);
+    for (int body = 0; body < part.owned(); ++body)
+    {
+        if (sleep.isAsleep(part.grainOf[body])) continue;
+        outside_.force[body].setZero();  // what is left is round-off: all contacts of an awake grain are in the part
+        outside_.torque[body].setZero();
+    }
+    markBonds(part);
+    return part;
+}
+
+std::vector<AwakePart::Impulse> AwakePart::impulses(const ContactList& part) const
+{
+    std::vector<Impulse> found;
+    forEachSlot(part, [&](std::size_t slot, std::uint32_t inWhole)
+    {
+        found.push_back({inWhole, impulse(part, slot), part.rolling.empty() ? RollingSlot() : part.rolling[slot]});
+    });
+    return found;
+}
+
+void AwakePart::setImpulses(const std::vector<Impulse>& impulses, bool isPart, ContactList& list) const
+{
+    std::vector<std::uint32_t> place(isPart ? whole_.slots() : 0);
+    if (isPart) forEachSlot(list, [&](std::size_t slot, std::uint32_t inWhole) { place[inWhole] = static_cast<std::uint32_t>(slot); });
+    for (const Impulse& entry : impulses)
+    {
+        const std::size_t slot = isPart ? place[entry.slot] : entry.slot;
+        setImpulse(list, slot, entry.r);
+        if (!list.rolling.empty()) list.rolling[slot] = entry.rolling;
+    }
+}
+
+void AwakePart::giveBack(const ContactList& part, const ContactForces& onBodies)
+{
+    forEachSlot(part, [&](std::size_t slot, std::size_t inWhole) { copySlot(part, slot, whole_, inWhole); });
+    whole_.age = part.age;
+    for (int body = 0; body < part.owned(); ++body)
+    {
+        whole_.position[bodies_[body]] = part.position[body];
+        whole_.bodies[bodies_[body]] = part.bodies[body];
+    }
+    giveToGrains(onBodies, bodies_, forces_);
+}
+
+const ContactForces& AwakePart::forcesOn(const ContactList& part, BlockRange loaded, ContactForceSum& sumForces, const Scene& scene, double deltaT) const
+{
+    ContactForces& sum = sumForces(part, loaded, scene, deltaT);
+    add(sum, outside_, 1.0);
+    return sum;
+}
+
+std::vector<int> AwakePart::sleepersAround(const std::vector<int>& grains, int rings, const GrainSleep& sleep, double deadBand) const
+{
+    std::vector<int> found = grains;
+    std::vector<std::uint8_t> isFound(whole_.owned(), 0);
+    for (int i : grains) isFound[i] = 1;
+    std::size_t first = 0;
+    for (int ring = 0; ring < rings; ++ring)
+    {
+        const std::size_t last = found.size();
+        for (; first < last; ++first)
+        {
+            const int body = bodyOf_[found[first]];
+            for (std::uint32_t k = slotStart_[body]; k < slotStart_[body + 1]; ++k)
+            {
+                const int other = otherBody(slots_[k], body);
+                if (other >= whole_.owned() || whole_.inverseMass[other] == 0.0) continue;
+                const int i = whole_.grainOf[other];
+                const bool isClosed = whole_.gap[slots_[k]] <= deadBand || impulse(whole_, slots_[k]) != Vec3::Zero();
+                if (isFound[i] || !isClosed || !sleep.isAsleep(i)) continue;
+                isFound[i] = 1;
+                found.push_back(i);
+            }
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+std::vector<int> AwakePart::sleepersBesideDriven(const Grains& grains, const GrainSleep& sleep) const
+{
+    std::vector<int> found;
+    for (int body = 0; body < whole_.owned(); ++body)
+    {
+        const int driven = whole_.grainOf[body];
+        if (!grains.isFixed[driven] || sleep.isAsleep(driven)) continue;
+        for (std::uint32_t k = slotStart_[body]; k < slotStart_[body + 1]; ++k)
+        {
+            const int other = otherBody(slots_[k], body);
+            if (other >= whole_.owned()) continue;
+            const int i = whole_.grainOf[other];
+            if (sleep.isAsleep(i) && !grains.isFixed[i]) found.push_back(i);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+} // namespace nscd

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The grains' time step.
+#include "nscd/step/grainDynamicsParts.hpp"
+
+#include "nscd/base/invalidValue.hpp"
+#include "nscd/base/stopwatch.hpp"
+#include "nscd/contacts/contactGeometry.hpp"
+#include "nscd/solvers/help/isolatedPairs.hpp"
+#include "nscd/step/clumpCorrection.hpp"
+#include "nscd/step/overlapCorrection.hpp"
+#include "nscd/step/sweptPairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace nscd
+{
+
+namespace
+{
+
+constexpr int maxListRebuilds = 6;
+/// What a blow may change a grain's velocity by, in the largest difference between its velocity and those of the candidates it may meet: what a heavy
+/// one does to it at once.
+constexpr double blow = 1.0;
+/// Candidates that pass at more than this [d] give no blows: fast grains and those around them would make each other candidates without end (rain on a bed:
+/// 80 a grain in place of 21). With a quarter of it a collapse needs two lists in place of one.
+constexpr double widestMiss = 1.0;
+/// Steps that grains are expected to move on as they do. In a collapse lists cost 9 ms a step with 4; with 2 and 3 steps 16 and 13, and 5 gain nothing. Where
+/// grains hit each other at speed, as in rain on a bed, one list for that long holds more candidates than two for half of it.
+constexpr double mostStepsOfPaths = 4.0, fewestStepsOfPaths = 1.5, widestScatter = 0.5;
+
+void checkLength(const char* name, std::size_t length, std::size_t grains)
+{
+    if (length != 0 && length != grains) throw invalidValue(name, length, "an entry for each of the " + std::to_string(grains) + " grains, or none");
+}
+
+void checkForces(const ExternalForces& external, std::size_t grains)
+{
+    checkLength("number of forces", external.force.size(), grains);
+    checkLength("number of torques", external.torque.size(), grains);
+    checkLength("number of implicit drags", external.implicitDrag.size(), grains);
+    checkLength("number of implicit spin drags", external.implicitSpinDrag.size(), grains);
+    if (!(external.speedScale >= 0.0) || !std::isfinite(external.speedScale)) throw invalidValue("speed scale", external.speedScale, "a finite value >= 0 m/s");
+}
+
+/// Of each grain: the speed at which a blow of one that passes within `miss` [m] in a time may throw it off its path. Two bodies on straight paths
+/// come no nearer than along their present normal.
+std::vector<double> speedsOfBlows(const ContactList& list, const std::vector<Vec3>& velocity, double time, double miss)
+{
+    std::vector<Vec3> ofBody(list.owned());
+    for (int body = 0; body < list.owned(); ++body) ofBody[body] = velocity[list.grainOf[body]];
+    std::vector<double> relative2(list.owned(), 0.0);
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
+        if (b >= list.owned()) continue;
+        const Vec3 u = ofBody[a] - ofBody[b];
+        if (list.gap[slot] + time*normal(list, slot).dot(u) > miss) continue;
+        const double speed2 = u.squaredNorm();
+        relative2[a] = std::max(relative2[a], speed2);
+        relative2[b] = std::max(relative2[b], speed2);
+    }
+    std::vector<double> speed(list.owned());
+    for (int body = 0; body < list.owned(); ++body) speed[list.grainOf[body]] = blow*std::sqrt(relative2[body]);
+    return speed;
+}
+
+/// Steps for which blows throw grains off their paths by widestScatter d in the mean (rms), within limits.
+double stepsOfPaths(const std::vector<double>& blows, double diameter, double deltaT)
+{
+    double squares = 0.0;
+    for (double speed : blows) squares += speed*speed;
+    const double scatter = deltaT*std::sqrt(squares/std::max<double>(1.0, static_cast<double>(blows.size())));
+    return mostStepsOfPaths*scatter <= widestScatter*diameter ? mostStepsOfPaths : std::max(fewestStepsOfPaths, widestScatter*diameter/scatter);
+}
+
+/// Of each grain: its speed, or the common one: a slow grain may be hit, and be as fast as the others at the end of the step.
+std::vector<double> speedsOrCommon(const std::vector<Vec3>& velocity, double common)
+{
+    std::vector<double> speed;
+    for (const Vec3& v : velocity) speed.push_back(std::max(v.norm(), common));
+    return speed;
+}
+
+} // namespace
+
+void GrainDynamics::Implementation::measureGrains()
+{
+    double sums[2] = {2.0*std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0), static_cast<double>(grains.size())};
+    exchange->sum(sums, 2);
+    if (sums[1] > 0.0) diameter = sums[0]/sums[1];
+
+    double extremes[2] = {0.0, 0.0};
+    const std::vector<int> clumpOf = clumpOfGrains(grains);
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        if (grains.isFixed[i] || (!clumpOf.empty() && clumpOf[i] >= 0)) continue;
+        extremes[0] = std::max(extremes[0], grains.mass[i]);
+        extremes[1] = std::max(extremes[1], 1.0/grains.mass[i]);
+    }
+    measureClumps(grains.clumps, extremes);
+    exchange->max(extremes, 2);
+    massRatio = extremes[0]*extremes[1];
+}
+
+void GrainDynamics::Implementation::clearForces()
+{
+    const std::vector<Vec3> none(grains.size(), Vec3::Zero());
+    const std::vector<Vec3> noneOnWalls(walls.patches.size(), Vec3::Zero());
+    forces = {none, none, noneOnWalls, noneOnWalls};
+}
+
+/// Its cells are a few grains wide; made anew only where the grains have become others.
+void GrainDynamics::Implementation::makeWallSearch()
+{
+    double largest = 0.0;
+    for (double radius : grains.radius) largest = std::max(largest, radius);
+    const bool isFitting = wallSearch && wallSearch->cellSize() >= 2.0*largest && wallSearch->cellSize() <= 8.0*largest;
+    if (!isFitting) wallSearch = std::make_unique<WallSearch>(walls, largest > 0.0 ? 4.0*largest : diameter);
+}
+
+void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity, bool isStraight)
+{
+    const Stopwatch watch(times.findPairs);
+    const bool areSomeAsleep = sleep.any();
+    // Within a step bonds are those of its start, whatever a solve has made of them since.
+    const bool isWithinStep = isStepBegun && !list.cohesion.empty() && !areSomeAsleep;
+    // The attraction of the last step, which belongs to the forces on sleepers, is lost with a list.
+    if (areSomeAsleep && !list.cohesion.empty()) wakeAll();
+    else if (areSomeAsleep) list = awakePart.release();
+    ImpulseRecord impulses = isListStale ? std::move(restored) : isWithinStep ? beforeStep : collectImpulses(list);
+    restored = ImpulseRecord();
+
+    double sums[2] = {0.0, static_cast<double>(velocity.size())};
+    for (const Vec3& v : velocity) sums[0] += v.squaredNorm();
+    exchange->sum(sums, 2);
+    const double commonSpeed = std::sqrt(sums[0]/std::max(1.0, sums[1]));
+    if (!std::isfinite(commonSpeed)) throw invalidValue("rms speed of grains", commonSpeed, "a finite value [m/s]");
+    // Over many steps grains do not fly straight; and pairs on two ranks are listed by reach alone, so that longer ones would cost more there.
+    const bool areExpected = isStraight && !isListStale && stepsPerList == fewestStepsPerList && !exchange->isParallel();
+    ExpectedMotion expected;
+    std::vector<double> speed;
+    if (areExpected)
+    {
+        speed = speedsOfBlows(list, velocity, mostStepsOfPaths*deltaT, widestMiss*diameter);
+        expected.time = stepsOfPaths(speed, diameter, deltaT)*deltaT;
+        expected.velocity = velocity;
+        for (std::size_t i = 0; i < speed.size(); ++i) speed[i] += velocity[i].norm();
+    }
+    else
+    {
+        speed = speedsOrCommon(velocity, commonSpeed);
+        expected.time = stepsPerList*deltaT;
+    }
+    std::vector<double> reach(grains.size());
+    for (std::size_t i = 0; i < grains.size(); ++i) reach[i] = materials.cohesionRange() + 0.5*settings.skin*diameter + expected.time*speed[i];
+    makeWallSearch();
+    std::vector<WallReach> wallReach = movingWalls.reach(*wallSearch, grains, reach, diameter);
+    list = buildContactList(scene(), *wallSearch, reach, std::move(wallReach), diameter, *exchange, std::move(list), expected);
+    updateGeometry(list, scene());
+    findFastPairs(list);
+    assignImpulses(list, std::move(impulses), *exchange);
+    markBonds(list);
+    isListStale = false;
+    isListNew = true;
+    fitStepsPerList();
+    if (!sleep.any()) return;
+    holdWholeList();
+    cutAwakePart();
+}
+
+double GrainDynamics::Implementation::measureMotion(double speedScale) const
+{
+    if (!(speedScale > 0.0)) return 1.0;
+    double sums[2] = {0.0, static_cast<double>(grains.size())};
+    for (int i : list.grainOf) sums[0] += std::min(1.0, grains.velocity[i].norm()/speedScale);
+    exchange->sum(sums, 2);
+    return sums[1] > 0.0 ? sums[0]/sums[1] : 1.0;
+}
+
+void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
+{
+    const Stopwatch watch(times.buildContacts);
+    setFreeVelocities(list, grains, external, deltaT, sleep);
+    if (!list.clumps.empty()) setFreeClumps(list, grains, external, deltaT);
+    movingWalls.setVelocities(list, box, grains.shape.emptyAxis);
+    if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
+    chooseKernelsOfStep();
+    prepareSlots(list, kernelsOfStep, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
+    impulseDeltaT = deltaT;
+}
+
+SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external)
+{
+    prepareSolve(external);
+    const Stopwatch watch(times.solveContacts);
+    ContactProblem problem = makeProblem(external.speedScale);
+    problem.motion = measureMotion(external.speedScale);
+    const SolveReport report = solveBesideIsolated(problem, list.isolatedBlocks, capGuard.apply(settings), solve);
+    if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
+    return report;
+}
+
+SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces& external)
+{
+    SolveReport report = solveAndWake(external);
+    // Grains that turn out faster than the list allows for could pass one another unseen: list and solve again.
+    for (int attempt = 0; !coversStep(); ++attempt)
+    {
+        if (attempt == maxListRebuilds) throw std::runtime_error("contact list cannot follow the grains; use a smaller time step");
+        std::vector<Vec3> velocity(grains.size());
+        for (int body = 0; body < list.owned(); ++body)
+        {
+            velocity[list.grainOf[body]] = (attempt + 1.0)*Vec3(list.bodies[body].v);
+        }
+        rebuildList(velocity, attempt == 0);
+        report = together(report, solveAndWake(external));
+    }
+    return report;
+}
+
+void GrainDynamics::Implementation::correctPositions(StepReport& report)
+{
+    updateGeometry(list, scene());
+    OverlapStatistics overlap = measureOverlap(list);
+    const double tolerance = settings.overlapTolerance*diameter;
+    if (overlap.deepest > tolerance)
+    {
+        report.correctionSweeps = list.clumps.empty()
+            ? correctOverlaps(list, scene(), overlap.deepest, tolerance, deadBand())
+            : correctClumpOverlaps(list, grains, scene(), overlap.deepest, tolerance, deadBand());
+        for (int body = 0; body < list.owned(); ++body) grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
+        overlap = measureOverlap(list);
+    }
+    report.overlapMax = std::max(overlap.max, sleep.any() ? overlapAsleep : 0.0)/diameter;
+    report.overlapMean = overlap.mean/diameter;
+}
+
+void GrainDynamics::Implementation::checkReady(const ExternalForces& external) const
+{
+    if (isListStale) throw std::logic_error("a step of grains needs beginStep() first, also after setGrains(), checkpoint() and restore()");
+    checkForces(external, grains.size());
+}
+
+StepReport GrainDynamics::Implementation::restingReport() const
+{
+    StepReport report = lastReport;
+    report.solve.sweeps = 0;
+    report.solve.newtonSteps = 0;
+    report.listRebuilt = false;
+    report.correctionSweeps = 0;
+    report.maxDisplacement = 0.0;
+    return report;
+}
+
+/// What a step needs in which anything is awake.
+void GrainDynamics::Implementation::beginAwakeStep(bool haveWallsJumped)
+{
+    if (isListStale) measureGrains();
+    if (isListStale || !coversStep()) rebuildList(grains.velocity, true);
+    else if (haveWallsJumped) updateGeometry(list, scene());
+    if (isStepBegun) return;
+    isStepBegun = true;
+    markBonds(list);
+    if (!sleep.any()) beforeStep = list.cohesion.empty() ? ImpulseRecord() : collectImpulses(list);
+}
+
+void GrainDynamics::beginStep(double deltaT)
+{
+    if (!(deltaT > 0.0) || !std::isfinite(deltaT)) throw invalidValue("time step", deltaT, "a finite value > 0 s");
+    Implementation& self = *self_;
+    const bool haveJumped = self.movingWalls.beginStep(deltaT);
+    if (deltaT != self.deltaT || haveJumped || self.movingWalls.isAnyMoving()) self.wakeAll();
+    self.deltaT = deltaT;
+    if (!self.isEverybodyAsleep()) self.beginAwakeStep(haveJumped);
+}
+
+bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->wholeList().candidates > 0); }
+
+Prediction GrainDynamics::predict(const ExternalForces& external)
+{
+    self_->checkReady(external);
+    self_->wakeAll();
+    if (!self_->isStepBegun) self_->beginAwakeStep(false);
+    Prediction prediction;
+    prediction.solve = self_->solveVelocities(external);
+    prediction.velocity.resize(self_->grains.size());
+    for (int body = 0; body < self_->list.owned(); ++body)
+    {
+        prediction.velocity[self_->list.grainOf[body]] = Vec3(self_->list.bodies[body].v);
+    }
+    ContactForces predicted = self_->forces;
+    giveToGrains(self_->forcesOnBodies(), self_->list.grainOf, predicted);
+    prediction.contactForce = std::move(predicted.force);
+    return prediction;
+}
+
+Prediction GrainDynamics::tryForces(const ExternalForces& external)
+{
+    self_->wakeAll();
+    ImpulseRecord impulses = collectImpulses(self_->list);
+    Prediction prediction = predict(external);
+    for (std::size_t slot = 0; slot < self_->list.slots(); ++slot)
+    {
+        if (self_->list.isUsed(slot)) setImpulse(self_->list, slot, Vec3::Zero());
+    }
+    for (RollingSlot& slot : self_->list.rolling) std::fill_n(slot.q, 3, 0.0);
+    assignImpulses(self_->list, std::move(impulses), *self_->exchange);
+    return prediction;
+}
+
+StepReport GrainDynamics::advance(const ExternalForces& external)
+{
+    Implementation& self = *self_;
+    self.checkReady(external);
+    if (self.sleep.any()) self.wake(self.sleep.disturbedBy(self.grains, external, self.deltaT));
+    if (self.isEverybodyAsleep())
+    {
+        self.movingWalls.endStep();
+        return self.restingReport();
+    }
+    if (!self.isStepBegun) self.beginAwakeStep(false);
+    StepReport report;
+    report.solve = self.solveVelocities(external);
+    report.listRebuilt = self.isListNew;
+    self.isListNew = false;
+    report.candidates = static_cast<std::size_t>(self.list.halo.sum(static_cast<double>(self.wholeList().candidates)));
+
+    const Stopwatch watch(self.times.moveGrains);
+    giveToGrains(self.forcesOnBodies(), self.list.grainOf, self.forces);
+    report.maxDisplacement = moveGrains(self.list, self.grains, self.box, self.deltaT, self.isFrictional)/self.diameter;
+    if (self.materials.anyRestitution()) self.rebound(external, report.solve);
+    self.movingWalls.endStep();
+    copyVelocities(self.list, self.grains);
+    self.correctPositions(report);
+    if (self.maySleep()) self.letSleep(external, report);
+    self.capGuard.note(report.solve, self.settings);
+    self.lastReport = report;
+    self.isStepBegun = false;
+    return report;
+}
+
+} // namespace nscd

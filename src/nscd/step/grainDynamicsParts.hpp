@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What a GrainDynamics holds; seen by its own source files only.
+#pragma once
+
+#include "nscd/contacts/contactList.hpp"
+#include "nscd/contacts/movingWalls.hpp"
+#include "nscd/contacts/storedImpulses.hpp"
+#include "nscd/solvers/contactSolver.hpp"
+#include "nscd/solvers/help/capGuard.hpp"
+#include "nscd/solvers/help/packedContacts.hpp"
+#include "nscd/step/awakePart.hpp"
+#include "nscd/step/clumpMotion.hpp"
+#include "nscd/step/contactStep.hpp"
+#include "nscd/step/grainDynamics.hpp"
+#include "nscd/step/shockWork.hpp"
+
+namespace nscd
+{
+
+/// Steps of unchanged motion a list should last at least.
+constexpr double fewestStepsPerList = 2.0;
+
+struct GrainDynamics::Implementation
+{
+    Grains grains;
+    Materials materials;
+    Walls walls;
+    PeriodicBox box;
+    ContactSettings settings;
+    std::shared_ptr<Exchange> exchange;
+
+    ContactSolver solve;
+    SweepKernels kernels;
+    SweepKernels kernelsOfStep;   // of those for discs, where nothing leaves the plane
+    bool isFrictional;
+    double diameter = 1.0;
+    double massRatio = 1.0;       // of the grains that move, heaviest to lightest
+
+    MovingWalls movingWalls{walls};
+    std::unique_ptr<WallSearch> wallSearch;
+
+    ContactList list;             // while grains sleep: the part of it that is awake
+    bool isListStale = true;
+    bool isListNew = false;       // built since the last step
+    double stepsPerList = fewestStepsPerList;
+    double deltaT = 0.0;          // of the step begun
+    double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
+    ImpulseRecord restored;
+    GrainSleep sleep;
+    AwakePart awakePart;          // holds the list of all while grains sleep
+    double overlapAsleep = 0.0;   // largest of contacts when grains fell asleep last [m]
+    CapGuard capGuard;
+    PackedContacts packing;
+    StepReport lastReport;
+    bool isStepBegun = false;
+    ImpulseRecord beforeStep;     // kept where there is cohesion
+    ContactForces forces;
+    ContactForceSum sumForces;
+    StepTimes times;
+
+    Scene scene() const { return {grains, materials, walls, box}; }
+    ContactProblem makeProblem(double speedScale)
+    {
+        return
+        {
+            list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernelsOfStep, isFrictional, deltaT, speedScale, diameter,
+            list.position, 1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio,
+            0, list.clumps.empty() ? nullptr : &list.clumps, &packing
+        };
+    }
+    /// Blocks that may carry impulses.
+    BlockRange loaded() const { return {list.awake.data(), list.awake.size()}; }
+    /// On the bodies of the list and on walls; until the next call.
+    const ContactForces& forcesOnBodies()
+    {
+        return sleep.any() ? awakePart.forcesOn(list, loaded(), sumForces, scene(), deltaT) : sumForces(list, loaded(), scene(), deltaT);
+    }
+    const ContactList& wholeList() const { return sleep.any() ? awakePart.whole() : list; }
+    bool isEverybodyAsleep() const { return sleep.any() && awakePart.isEmpty(); }
+    bool maySleep() const { return settings.sleep && !exchange->isParallel() && grains.clumps.empty(); }
+    double deadBand() const { return settings.deadBand*diameter; }
+
+    void measureGrains();
+    void makeWallSearch();
+    bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list)); }
+    void clearForces();
+    /// `isStraight`: whether grains can be expected to move with these velocities.
+    void rebuildList(const std::vector<Vec3>& velocity, bool isStraight);
+    void fitStepsPerList();
+    void chooseKernelsOfStep();
+    SolveReport solveVelocities(const ExternalForces& external);
+    double measureMotion(double speedScale) const;
+    void prepareSolve(const ExternalForces& external);
+    SolveReport solveOnce(const ExternalForces& external);
+    SolveReport solveAndWake(const ExternalForces& external);
+    void holdWholeList();
+    void cutAwakePart();
+    void wake(const std::vector<int>& sleepers);
+    void wakeWithinSolve(const std::vector<int>& sleepers);
+    void wakeAll();
+    void giveUpSleep();
+    void letSleep(const ExternalForces& external, StepReport& report);
+    void beginAwakeStep(bool haveWallsJumped);
+    void checkReady(const ExternalForces& external) const;
+    StepReport restingReport() const;
+    void rebound(const ExternalForces& external, SolveReport& report);
+    void restoreImpulses(const Shock& inelastic);
+    void limitWork(const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report);
+    void correctPositions(StepReport& report);
+};
+
+} // namespace nscd

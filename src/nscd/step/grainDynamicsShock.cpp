@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The second solve of a step with restitution, and its energy account.
+#include "nscd/step/grainDynamicsParts.hpp"
+
+#include "nscd/solvers/help/andersonAcceleration.hpp"
+#include "nscd/solvers/help/isolatedPairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+void GrainDynamics::Implementation::rebound(const ExternalForces& external, SolveReport& report)
+{
+    Shock inelastic;
+    inelastic.bodies = list.bodies;
+    inelastic.clumps = list.clumps.bodies;
+    setFreeVelocities(list, grains, external, deltaT, sleep);
+    if (!list.clumps.empty()) mirrorFreeClumps(list, list.bodies);
+    const std::vector<Body> freeBodies = std::move(list.bodies);
+    list.bodies = inelastic.bodies;
+    // Below twice what the forces add in a step a rebound is noise of a resting contact.
+    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
+
+    ContactProblem problem = makeProblem(external.speedScale);
+    gatherImpulses(list.blocks, {nullptr, list.blocks.size()}, inelastic.impulses);
+    inelastic.rolling = list.rolling;
+    // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
+    ContactSettings shockSettings = capGuard.apply(settings);
+    shockSettings.displacementTolerance = 1.0;
+    const SolveReport shock = solveBesideIsolated(problem, list.isolatedBlocks, shockSettings, solve);
+    if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
+    report = worstOf(shock, report);
+    if (sleep.any() && !sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty())
+    {
+        // A shock goes through everything that touches: once more, with nobody asleep.
+        restoreImpulses(inelastic);
+        awakePart.giveBack(list, forcesOnBodies());
+        giveUpSleep();
+        prepareSolve(external);
+        rebound(external, report);
+        return;
+    }
+    limitWork(freeBodies, inelastic, shock, report);
+    giveToGrains(forcesOnBodies(), list.grainOf, forces);
+    // The next step starts from the impulses of the motion, not from those of the shock.
+    restoreImpulses(inelastic);
+}
+
+void GrainDynamics::Implementation::restoreImpulses(const Shock& inelastic)
+{
+    for (std::size_t k = 0; k < list.blocks.size(); ++k)
+    {
+        std::copy_n(inelastic.impulses.begin() + static_cast<std::ptrdiff_t>(3*blockLanes*k), 3*blockLanes, &list.blocks[k].r[0][0]);
+    }
+    list.rolling = inelastic.rolling;
+}
+
+void GrainDynamics::Implementation::limitWork
+(
+    const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report
+)
+{
+    const double residual = shock.residualRms*std::sqrt(static_cast<double>(shock.contacts));
+    const ShockWork account = shockWork(list, freeBodies, residual);
+    report.shockWork = account.work;
+    report.shockResidualWork = account.residualWork;
+    if (report.hasGainedEnergy()) report.reboundShare = limitRebound(list, freeBodies, inelastic);
+}
+
+} // namespace nscd

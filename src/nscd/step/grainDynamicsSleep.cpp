@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Falling asleep and waking: which list a step works on.
+#include "nscd/step/grainDynamicsParts.hpp"
+
+#include <algorithm>
+
+namespace nscd
+{
+
+void GrainDynamics::Implementation::holdWholeList()
+{
+    overlapAsleep = measureOverlap(list).max;
+    awakePart.hold(std::move(list), sumForces, scene(), deltaT);
+}
+
+void GrainDynamics::Implementation::cutAwakePart()
+{
+    sleep.wake(awakePart.sleepersBesideDriven(grains, sleep));
+    if (sleep.isWorthwhile()) list = awakePart.cut(sumForces, scene(), sleep, diameter, deltaT);
+    else giveUpSleep();
+}
+
+void GrainDynamics::Implementation::giveUpSleep()
+{
+    list = awakePart.release();
+    sleep = GrainSleep();
+    // As at the start of the step, bonds with them.
+    if (!list.cohesion.empty()) beforeStep = collectImpulses(list);
+}
+
+void GrainDynamics::Implementation::wake(const std::vector<int>& sleepers)
+{
+    if (sleepers.empty()) return;
+    sleep.wake(sleepers);
+    cutAwakePart();
+}
+
+/// The next solve starts from what the last one found.
+void GrainDynamics::Implementation::wakeWithinSolve(const std::vector<int>& sleepers)
+{
+    const std::vector<AwakePart::Impulse> found = awakePart.impulses(list);
+    wake(sleepers);
+    awakePart.setImpulses(found, sleep.any(), list);
+}
+
+SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
+{
+    SolveReport report = solveOnce(external);
+    // After some solves whole rings of grains are woken, more and more of them: a blow reaches far.
+    constexpr int withoutRings = 5;
+    for (int round = 0; sleep.any(); ++round)
+    {
+        const std::vector<int> disturbed = sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT);
+        if (disturbed.empty()) break;
+        wakeWithinSolve(awakePart.sleepersAround(disturbed, std::max(0, round - withoutRings), sleep, deadBand()));
+        report = together(report, solveOnce(external));
+    }
+    return report;
+}
+
+void GrainDynamics::Implementation::wakeAll()
+{
+    if (sleep.any()) giveUpSleep();
+    else sleep = GrainSleep();
+}
+
+void GrainDynamics::Implementation::letSleep(const ExternalForces& external, StepReport& report)
+{
+    if (sleep.any())
+    {
+        awakePart.giveBack(list, forcesOnBodies());
+        // The overlap correction moves no sleeper.
+        wake(sleep.pressed(grains, list, settings.overlapTolerance*diameter));
+    }
+    const bool isListWhole = !sleep.any();
+    const RestingStep step{list, external, forces, deltaT, report.solve.speedScale, deadBand()};
+    if (sleep.fallAsleep(step, grains))
+    {
+        if (isListWhole) holdWholeList();
+        else overlapAsleep = std::max(overlapAsleep, measureOverlap(list).max);
+        cutAwakePart();
+    }
+    report.asleep = sleep.count();
+}
+
+} // namespace nscd

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Making grain dynamics, looking at it, and storing it.
+#include "nscd/step/grainDynamicsParts.hpp"
+
+#include "nscd/base/invalidValue.hpp"
+#include "nscd/kernels/sweepKernels.hpp"
+#include "nscd/scene/sceneCheck.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Candidates a grain below which a list is so short that it had better last longer, and above which it had better be shorter.
+constexpr double fewCandidates = 0.5, manyCandidates = 2.0;
+constexpr double mostStepsPerList = 64.0;
+
+void refuseBesideClumps(const Exchange& exchange, const ContactSettings& settings, const Materials& materials)
+{
+    if (exchange.isParallel()) throw invalidValue("number of ranks", "more than one", "one where there are clumps");
+    if (settings.solver != "NLGS") throw invalidValue("contact solver", settings.solver, "NLGS where there are clumps");
+    if (materials.anyRolling()) throw invalidValue("rolling or spinning friction", "set", "none where there are clumps");
+    if (materials.anyCohesion()) throw invalidValue("cohesion", "set", "none where there are clumps");
+}
+
+} // namespace
+
+/// In a dilute cloud candidates cost little, and searches much; in a bed it is the other way round.
+void GrainDynamics::Implementation::fitStepsPerList()
+{
+    double sums[2] = {static_cast<double>(list.candidates), static_cast<double>(grains.size())};
+    exchange->sum(sums, 2);
+    if (sums[0] < fewCandidates*sums[1]) stepsPerList = std::min(2.0*stepsPerList, mostStepsPerList);
+    else if (sums[0] > manyCandidates*sums[1]) stepsPerList = std::max(0.5*stepsPerList, fewestStepsPerList);
+}
+
+void GrainDynamics::Implementation::chooseKernelsOfStep()
+{
+    const int axis = grains.shape.emptyAxis;
+    const bool isPlanar = isFrictional && grains.shape.dimensions == 2 && axis >= 0 && isInPlane(list, axis);
+    kernelsOfStep = isPlanar ? planar(kernels, axis) : kernels;
+}
+
+GrainDynamics::GrainDynamics
+(
+    Grains grains, Materials materials, Walls walls, PeriodicBox box,
+    ContactSettings settings, std::shared_ptr<Exchange> exchange
+)
+:
+    self_(std::make_unique<Implementation>())
+{
+    checkWalls(walls);
+    checkGrains(grains, materials, walls);
+    checkBox(box);
+    checkSettings(settings);
+    if (!exchange) throw invalidValue("exchange", "null", "an Exchange, or none given");
+    self_->grains = std::move(grains);
+    self_->grains.shrinkToFit();
+    self_->materials = std::move(materials);
+    self_->walls = std::move(walls);
+    self_->movingWalls.setTime(0.0);
+    self_->box = box;
+    self_->settings = settings;
+    self_->exchange = std::move(exchange);
+    const ContactSolverRow& solver = findContactSolver(settings.solver);
+    if (self_->exchange->isParallel() && !solver.worksOnRanks)
+    {
+        throw invalidValue("contact solver", settings.solver, "NLGS or NNCG where there are several ranks");
+    }
+    self_->solve = solver.solve;
+    self_->kernels = chooseKernels(settings.vectorPath.c_str());
+    if (settings.solver != "NLGS" && self_->materials.anyRolling())
+    {
+        throw invalidValue("contact solver", settings.solver, "NLGS where there is rolling or spinning friction");
+    }
+    checkClumps(self_->grains, self_->box);
+    if (!self_->grains.clumps.empty()) refuseBesideClumps(*self_->exchange, settings, self_->materials);
+    // Whatever acts on spins.
+    self_->isFrictional = self_->materials.anyFriction() || self_->materials.anyRolling();
+    if (!self_->isFrictional) self_->kernels = normalOnly(self_->kernels);
+    self_->sumForces = ContactForceSum(self_->kernels);
+    self_->measureGrains();
+    self_->clearForces();
+}
+
+GrainDynamics::~GrainDynamics() = default;
+
+const Grains& GrainDynamics::grains() const { return self_->grains; }
+
+void GrainDynamics::setGrains(Grains grains)
+{
+    checkGrains(grains, self_->materials, self_->walls);
+    checkClumps(grains, self_->box);
+    if (!grains.clumps.empty()) refuseBesideClumps(*self_->exchange, self_->settings, self_->materials);
+    double lastDeltaT;
+    const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
+    self_->grains = std::move(grains);
+    self_->grains.shrinkToFit();
+    self_->clearForces();
+    restore(impulses, lastDeltaT);
+}
+
+void GrainDynamics::drive(std::size_t grain, const Vec3& velocity, const Vec3& omega)
+{
+    Grains& grains = self_->grains;
+    if (grain >= grains.size() || !grains.isFixed[grain])
+    {
+        throw invalidValue("driven grain", grain, "the index of a held grain (isFixed)");
+    }
+    if (!velocity.allFinite() || !omega.allFinite())
+    {
+        throw invalidValue("velocity of driven grain " + std::to_string(grains.id[grain]), "not finite", "finite components [m/s, rad/s]");
+    }
+    if (velocity != grains.velocity[grain] || omega != grains.omega[grain]) self_->wakeAll();
+    grains.velocity[grain] = velocity;
+    grains.omega[grain] = omega;
+}
+
+std::vector<double> GrainDynamics::loads() const
+{
+    const ContactList& list = self_->wholeList();
+    std::vector<double> load(self_->grains.size(), 1.0);
+    if (self_->isListStale) return load;
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot)) continue;
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        for (std::int32_t body : {block.a[slot % blockLanes], block.b[slot % blockLanes]})
+        {
+            if (body < list.owned()) load[list.grainOf[body]] += 0.5;
+        }
+    }
+    return load;
+}
+
+std::size_t GrainDynamics::ghosts() const { return self_->isListStale ? 0 : self_->list.ghosts.size() + self_->list.solvedElsewhere.size(); }
+
+const std::vector<Vec3>& GrainDynamics::contactForce() const { return self_->forces.force; }
+const std::vector<Vec3>& GrainDynamics::contactTorque() const { return self_->forces.torque; }
+const std::vector<Vec3>& GrainDynamics::wallForce() const { return self_->forces.wall; }
+const std::vector<Vec3>& GrainDynamics::wallTorque() const { return self_->forces.wallTorque; }
+const Walls& GrainDynamics::walls() const { return self_->walls; }
+double GrainDynamics::time() const { return self_->movingWalls.time(); }
+void GrainDynamics::setTime(double time) { self_->movingWalls.setTime(time); }
+const StepTimes& GrainDynamics::times() const { return self_->times; }
+
+std::vector<LoadedContact> GrainDynamics::contacts() const
+{
+    const ContactList& list = self_->wholeList();
+    std::vector<LoadedContact> loaded;
+    for (const SlotImpulse& entry : loadedSlots(list))
+    {
+        const ContactBlock& block = list.blocks[entry.slot/blockLanes];
+        const int lane = entry.slot % blockLanes;
+        const std::int64_t idB = entry.pair.b < 0 ? entry.pair.b : list.id[block.b[lane]];
+        const Vec3 pull = list.cohesion.empty() ? Vec3(Vec3::Zero()) : Vec3(list.cohesion[entry.slot].attraction);
+        const Vec3 moment = list.hasRolling ? rollingMoment(list, entry.slot) : Vec3(Vec3::Zero());
+        loaded.push_back
+        ({
+            entry.pair.a, entry.pair.b, list.id[block.a[lane]], idB, normal(list, entry.slot), list.gap[entry.slot],
+            entry.pair.impulse + pull, pull, moment
+        });
+    }
+    return loaded;
+}
+
+std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
+{
+    Implementation& self = *self_;
+    lastDeltaT = self.impulseDeltaT;
+    self.wakeAll();
+    self.capGuard.reset();
+    self.packing.note(0);
+    if (!self.isListStale) self.restored = collectImpulses(self.list);
+    self.list = ContactList();
+    self.stepsPerList = fewestStepsPerList;
+    self.isListStale = true;
+    self.isStepBegun = false;
+    return byIdentity(self.restored, self.grains);
+}
+
+void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double lastDeltaT)
+{
+    Implementation& self = *self_;
+    if (!(lastDeltaT >= 0.0) || !std::isfinite(lastDeltaT)) throw invalidValue("length of the last step", lastDeltaT, "a finite value >= 0 s");
+    for (const StoredImpulse& stored : impulses)
+    {
+        if (stored.impulse.allFinite() && stored.rolling.allFinite()) continue;
+        throw invalidValue("stored impulse of grain " + std::to_string(stored.idA), "not finite", "finite components [N s]");
+    }
+    self.restored = byIndex(impulses, self.grains);
+    self.impulseDeltaT = lastDeltaT;
+    self.wakeAll();
+    self.capGuard.reset();
+    self.packing.note(0);
+    self.list = ContactList();
+    self.stepsPerList = fewestStepsPerList;
+    self.isListStale = true;
+    self.isStepBegun = false;
+}
+
+} // namespace nscd

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Falling asleep by speed and force, waking by force.
+#include "nscd/step/grainSleep.hpp"
+
+#include "nscd/step/contactStep.hpp"
+
+#include <algorithm>
+
+namespace nscd
+{
+
+namespace
+{
+
+Vec3 entry(const std::vector<Vec3>& values, std::size_t i) { return values.empty() ? Vec3(Vec3::Zero()) : values[i]; }
+
+bool isDriven(const Grains& grains, int i) { return grains.isFixed[i] && (grains.velocity[i] != Vec3::Zero() || grains.omega[i] != Vec3::Zero()); }
+
+/// Whether neither of two changes [N, N m] could give a grain more than `speed` in a step. False for what is not a number.
+bool isSmall(const Grains& grains, std::size_t i, const Vec3& force, const Vec3& torque, double speed, double deltaT)
+{
+    const double limit = speed*grains.mass[i]/deltaT, moment = limit*grains.radius[i];
+    return force.squaredNorm() <= limit*limit && torque.squaredNorm() <= moment*moment;
+}
+
+bool isMoving(const Body& body) { return Vec3(body.v) != Vec3::Zero() || Vec3(body.s) != Vec3::Zero(); }
+
+} // namespace
+
+std::vector<int> GrainSleep::disturbedBy(const Grains& grains, const ExternalForces& external, double deltaT) const
+{
+    std::vector<int> disturbed;
+    for (std::size_t i = 0; i < isAsleep_.size(); ++i)
+    {
+        if (!isAsleep_[i] || grains.isFixed[i]) continue;
+        const Vec3 force = entry(external.force, i) - force_[i], torque = entry(external.torque, i) - torque_[i];
+        if (!isSmall(grains, i, force, torque, restLimit*speedScale_, deltaT)) disturbed.push_back(static_cast<int>(i));
+    }
+    return disturbed;
+}
+
+std::vector<int> GrainSleep::disturbedBy(const Grains& grains, const ContactList& list, const ContactForces& onBodies, double deltaT) const
+{
+    std::vector<int> disturbed;
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        const int i = list.grainOf[body];
+        if (!isAsleep_[i] || grains.isFixed[i]) continue;
+        const Vec3 force = onBodies.force[body] - contactForce_[i], torque = onBodies.torque[body] - contactTorque_[i];
+        if (!isSmall(grains, i, force, torque, restLimit*speedScale_, deltaT)) disturbed.push_back(i);
+    }
+    return disturbed;
+}
+
+std::vector<int> GrainSleep::pressed(const Grains& grains, const ContactList& list, double tolerance) const
+{
+    std::vector<int> pressed;
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot) || list.gap[slot] >= -tolerance) continue;
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        for (int body : {block.a[slot % blockLanes], block.b[slot % blockLanes]})
+        {
+            if (body >= list.owned()) continue;
+            const int i = list.grainOf[body];
+            if (isAsleep(i) && !grains.isFixed[i]) pressed.push_back(i);
+        }
+    }
+    std::sort(pressed.begin(), pressed.end());
+    pressed.erase(std::unique(pressed.begin(), pressed.end()), pressed.end());
+    return pressed;
+}
+
+void GrainSleep::wake(const std::vector<int>& sleepers)
+{
+    for (int i : sleepers)
+    {
+        isAsleep_[i] = 0;
+        quietSteps_[i] = 0;
+    }
+    asleep_ -= sleepers.size();
+}
+
+/// A grain in a flow may be slow for a while; what presses on it is not steady then.
+void GrainSleep::countQuietSteps(const RestingStep& step, const Grains& grains)
+{
+    const double speed = restLimit*step.speedScale;
+    for (int i : step.list.grainOf)
+    {
+        const double spin2 = grains.radius[i]*grains.radius[i]*grains.omega[i].squaredNorm();
+        const bool isSlow = grains.velocity[i].squaredNorm() <= speed*speed && spin2 <= speed*speed;
+        const double force = speed*grains.mass[i]/step.deltaT;
+        const bool isQuiet = isSlow && (step.contact.force[i] - contactForce_[i]).squaredNorm() <= force*force;
+        quietSteps_[i] = isQuiet ? quietSteps_[i] + 1 : 0;
+    }
+}
+
+/// Bodies of the list that are awake and have to stay so.
+std::vector<std::uint8_t> GrainSleep::restlessBodies(const RestingStep& step, const Grains& grains) const
+{
+    const ContactList& list = step.list;
+    std::vector<std::uint8_t> fails(list.bodies.size(), 0);
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        const int i = list.grainOf[body];
+        if (grains.isFixed[i]) fails[body] = isDriven(grains, i);
+        else fails[body] = !isAsleep_[i] && quietSteps_[i] < stepsToSleep;
+    }
+    for (std::size_t body = list.owned(); body < list.bodies.size(); ++body) fails[body] = isMoving(list.bodies[body]);
+
+    std::vector<std::uint8_t> isRestless = fails;
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        const bool isClosed = list.isUsed(slot) && (list.gap[slot] <= step.deadBand || impulse(list, slot) != Vec3::Zero());
+        if (!isClosed) continue;
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
+        if (fails[a]) isRestless[b] = 1;
+        if (fails[b]) isRestless[a] = 1;
+    }
+    return isRestless;
+}
+
+void GrainSleep::note(const RestingStep& step, int grain)
+{
+    contactForce_[grain] = step.contact.force[grain];
+    contactTorque_[grain] = step.contact.torque[grain];
+    force_[grain] = entry(step.external.force, grain);
+    torque_[grain] = entry(step.external.torque, grain);
+}
+
+bool GrainSleep::fallAsleep(const RestingStep& step, Grains& grains)
+{
+    const std::size_t n = grains.size();
+    quietSteps_.resize(n, 0);
+    contactForce_.resize(n, Vec3::Zero());
+    countQuietSteps(step, grains);
+    if (++steps_ % stepsToSleep != 0) return false;
+    for (std::vector<Vec3>* values : {&contactTorque_, &force_, &torque_}) values->resize(n);
+    isAsleep_.resize(n, 0);
+
+    const std::vector<std::uint8_t> isRestless = restlessBodies(step, grains);
+    std::vector<int> fallers;
+    for (int body = 0; body < step.list.owned(); ++body)
+    {
+        const int i = step.list.grainOf[body];
+        if (isAsleep_[i]) continue;
+        note(step, i);
+        if (grains.isFixed[i]) isAsleep_[i] = !isRestless[body];
+        else if (!isRestless[body]) fallers.push_back(i);
+    }
+    if (fallers.empty() || static_cast<double>(asleep_ + fallers.size()) < worthwhile*static_cast<double>(n)) return false;
+    speedScale_ = step.speedScale;
+    asleep_ += fallers.size();
+    for (int i : fallers)
+    {
+        isAsleep_[i] = 1;
+        grains.velocity[i].setZero();
+        grains.omega[i].setZero();
+    }
+    return true;
+}
+
+} // namespace nscd

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Which grains are at rest and left alone, until what acts on them changes.
+#pragma once
+
+#include "nscd/contacts/contactList.hpp"
+#include "nscd/scene/externalForces.hpp"
+
+#include <vector>
+
+namespace nscd
+{
+
+struct ContactForces;
+
+/// What a look at the end of a step needs to know of it. `contact`: of the impulses that the list keeps, by grain.
+struct RestingStep
+{
+    const ContactList& list;   ///< of all grains that are awake
+    const ExternalForces& external;
+    const ContactForces& contact;
+    double deltaT;
+    double speedScale;         ///< vs [m/s]
+    double deadBand;           ///< [m]
+};
+
+/// A look every `stepsToSleep` steps lets those grains fall asleep that since the last one were slower than `restLimit` vs, on which the
+/// contact force stayed what it was then to `restLimit` m vs/dt, and which touch no grain that fails in that and nothing that moves by itself. Velocities
+/// become zero, impulses stay. A sleeping grain has no mobility; contacts of awake grains with it are solved as with a held one, and it
+/// wakes in the step in which what these contacts, or the caller's forces, do to it differs by more than `restLimit` m vs/dt from when it fell
+/// asleep.
+class GrainSleep
+{
+public:
+    /// Of speeds, in units of a step's speed scale vs, and of forces: what grains of a polished bed at rest keep at most of the noise of
+    /// the solves, a few times over. Both are one number since a grain that is stopped loses that much momentum to those around it: with a
+    /// tenth for forces these wake again, and others after them, for ever.
+    static constexpr double restLimit = 1e-3;
+    static constexpr int stepsToSleep = 32;
+    /// Share of the grains that must be at rest for any to sleep: fewer save less than the next one that wakes costs, as in a flow.
+    static constexpr double worthwhile = 0.1;
+
+    bool any() const { return asleep_ > 0; }
+    std::size_t count() const { return asleep_; }
+    bool isWorthwhile() const { return any() && static_cast<double>(asleep_) >= worthwhile*static_cast<double>(isAsleep_.size()); }
+    bool isAsleep(int grain) const { return asleep_ > 0 && isAsleep_[grain] != 0; }
+
+    /// Sleeping grains on which this step's external forces are others than when they fell asleep.
+    std::vector<int> disturbedBy(const Grains& grains, const ExternalForces& external, double deltaT) const;
+    /// The same for contact forces, `onBodies` of the list.
+    std::vector<int> disturbedBy(const Grains& grains, const ContactList& list, const ContactForces& onBodies, double deltaT) const;
+    /// Sleeping grains that overlap a body of the list by more than `tolerance` [m].
+    std::vector<int> pressed(const Grains& grains, const ContactList& list, double tolerance) const;
+    void wake(const std::vector<int>& sleepers);
+
+    /// After a step: counts quiet steps, and from time to time puts grains to sleep. Returns whether any fell asleep.
+    bool fallAsleep(const RestingStep& step, Grains& grains);
+
+private:
+    void countQuietSteps(const RestingStep& step, const Grains& grains);
+    std::vector<std::uint8_t> restlessBodies(const RestingStep& step, const Grains& grains) const;
+    void note(const RestingStep& step, int grain);
+
+    std::vector<std::uint8_t> isAsleep_;                 // per grain; also held ones that do not move, which are not counted
+    std::vector<int> quietSteps_;
+    std::vector<Vec3> force_, torque_;                   // external, as of falling asleep
+    std::vector<Vec3> contactForce_, contactTorque_;     // as of falling asleep, and of awake grains as of the last look
+    std::size_t asleep_ = 0;
+    int steps_ = 0;
+    double speedScale_ = 0.0;
+};
+
+} // namespace nscd

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The energy account of a shock.
+#include "nscd/step/shockWork.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// u of a pair of bodies that touch with normal n.
+Vec3 relativeVelocity(const Body& a, const Body& b, const Vec3& n)
+{
+    return Vec3(a.v) - Vec3(b.v) - (Vec3(a.s) + Vec3(b.s)).cross(n);
+}
+
+/// target + share (list - target), for velocities and impulses.
+void shrink(ContactList& list, const Shock& target, double share)
+{
+    const auto blend = [share](double& value, double end) { value = end + share*(value - end); };
+    for (std::size_t i = 0; i < list.bodies.size(); ++i)
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            blend(list.bodies[i].v[k], target.bodies[i].v[k]);
+            blend(list.bodies[i].s[k], target.bodies[i].s[k]);
+        }
+    }
+    for (std::size_t c = 0; c < list.clumps.bodies.size(); ++c)
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            blend(list.clumps.bodies[c].v[k], target.clumps[c].v[k]);
+            blend(list.clumps.bodies[c].omega[k], target.clumps[c].omega[k]);
+        }
+    }
+    constexpr std::size_t values = 3*blockLanes;
+    for (std::size_t k = 0; k < values*list.blocks.size(); ++k)
+    {
+        auto& r = (&list.blocks[k/values].r[0][0])[k % values];
+        r = target.impulses[k] + share*(r - target.impulses[k]);
+    }
+    for (std::size_t k = 0; k < list.rolling.size(); ++k)
+    {
+        for (int axis = 0; axis < 3; ++axis) blend(list.rolling[k].q[axis], target.rolling[k].q[axis]);
+    }
+}
+
+} // namespace
+
+ShockWork shockWork(const ContactList& list, const std::vector<Body>& freeBodies, double residual)
+{
+    constexpr double roundOff = 1e-13;
+    double sums[3] = {0.0, 0.0, 0.0};  // work, its size, squared impulses
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        const Vec3 r = impulse(list, slot);
+        if (r == Vec3::Zero()) continue;
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
+        const Vec3 n = normal(list, slot);
+        const Vec3 before = relativeVelocity(freeBodies[a], freeBodies[b], n), after = relativeVelocity(list.bodies[a], list.bodies[b], n);
+        sums[0] += 0.5*r.dot(before + after);
+        sums[1] += 0.5*r.norm()*(before.norm() + after.norm());
+        sums[2] += r.squaredNorm();
+    }
+    list.halo.sum(sums, 3);
+    return {sums[0], residual*std::sqrt(sums[2]) + roundOff*sums[1]};
+}
+
+double limitRebound(ContactList& list, const std::vector<Body>& freeBodies, const Shock& inelastic)
+{
+    // The work is a parabola of the share: three points of it on the way back, then its root.
+    const double atOne = shockWork(list, freeBodies, 0.0).work;
+    shrink(list, inelastic, 0.5);
+    const double atHalf = shockWork(list, freeBodies, 0.0).work;
+    shrink(list, inelastic, 0.5);
+    const double atQuarter = shockWork(list, freeBodies, 0.0).work;
+    const double a = 8.0/3.0*(atOne - 3.0*atHalf + 2.0*atQuarter), b = 2.0*(atOne - atHalf) - 1.5*a, c = atOne - a - b;
+    const double share = c < 0.0 ? std::min(1.0, -2.0*c/(b + std::sqrt(std::max(0.0, b*b - 4.0*a*c)))) : 0.0;
+    shrink(list, inelastic, share/0.25);
+    return share;
+}
+
+} // namespace nscd

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The energy account of a shock: what restitution and friction together may add.
+#pragma once
+
+#include "nscd/contacts/contactList.hpp"
+#include "nscd/solvers/help/andersonAcceleration.hpp"
+
+namespace nscd
+{
+
+struct ShockWork
+{
+    double work;         ///< of all impulses [J]; positive: energy has come into being
+    double residualWork; ///< what the solve's residual, and round-off, may have of it [J]
+};
+
+/// Velocities and impulses of a solve.
+struct Shock
+{
+    std::vector<Body> bodies;
+    AndersonAcceleration::Impulses impulses;
+    RollingSlots rolling;
+    std::vector<ClumpBody> clumps;
+};
+
+/// Work of the impulses in the list, from the velocities without them to the present ones, over all ranks.
+/// Equation: sum r.(u^- + u)/2, u relative to walls that move. Rolling friction, which only takes, is left out. Newton's law with one
+///           e and no friction gives -(1 - e)/(1 + e) r.W r/2 <= 0. With several e, or with friction (Kane's paradox), the law
+///           itself may make it positive.
+/// `residual`: Euclidean norm of the solve's natural map over its contacts [m/s]
+ShockWork shockWork(const ContactList& list, const std::vector<Body>& freeBodies, double residual);
+
+/// Where the rebound in the list has work > 0: goes back from it to `inelastic`, the solution without restitution (whose work is
+/// at most 0), as far as it takes for the work to be 0. All impulses and velocities go alike, so laws of momentum and the cone of
+/// friction stay; in effect every coefficient of restitution of the step is multiplied by the share returned.
+double limitRebound(ContactList& list, const std::vector<Body>& freeBodies, const Shock& inelastic);
+
+} // namespace nscd

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Shocks with restitution: two and three bodies against closed forms, and energy in elastic gases.
+#include "unit/nscd/scenes/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace scenes;
+
+namespace
+{
+
+constexpr double radius = 0.01;
+
+/// Equal spheres in a row with a gap between them; the first moves at 1 m/s towards the others.
+Scene row(int grains, double gap, double restitution)
+{
+    Scene scene(3, 0.0, restitution);
+    for (int i = 0; i < grains; ++i) scene.addGrain(Vec3((2*radius + gap)*i, 0, 0), radius);
+    scene.grains.velocity[0] = Vec3(1, 0, 0);
+    return scene;
+}
+
+Vec3 momentum(const nscd::Grains& grains)
+{
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < grains.size(); ++i) sum += grains.mass[i]*grains.velocity[i];
+    return sum;
+}
+
+} // namespace
+
+TEST(Shock, twoBodiesFollowNewton)
+{
+    for (double ratio : {1.0, 1e2, 1e4})
+    {
+        for (double e : {0.0, 0.5, 1.0})
+        {
+            Scene scene = row(2, 0.0, e);
+            scene.grains.mass[0] = ratio*scene.grains.mass[1];
+            auto dynamics = scene.build();
+            step(dynamics, Vec3::Zero(), 1e-3);
+            const double total = ratio + 1;
+            EXPECT_NEAR(dynamics.grains().velocity[0][0], (ratio - e)/total, 1e-10) << "ratio " << ratio << " e " << e;
+            EXPECT_NEAR(dynamics.grains().velocity[1][0], (1 + e)*ratio/total, 1e-10) << "ratio " << ratio << " e " << e;
+        }
+    }
+}
+
+TEST(Shock, threeTouchingBallsFollowMoreauAndNewton)
+{
+    for (double e : {1.0, 0.0})
+    {
+        auto dynamics = row(3, 0.0, e).build();
+        step(dynamics, Vec3::Zero(), 1e-3);
+        const Vec3 expected = e == 1.0 ? Vec3(-1.0/3, 2.0/3, 2.0/3) : Vec3(1.0/3, 1.0/3, 1.0/3);
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(dynamics.grains().velocity[i][0], expected[i], 1e-8) << "e " << e;
+        const double mass = dynamics.grains().mass[0];
+        EXPECT_NEAR(dynamics.contactForce()[2][0]*1e-3, mass*expected[2], 1e-8*mass);
+        EXPECT_NEAR(dynamics.contactForce()[0][0]*1e-3, mass*(expected[0] - 1), 1e-8*mass);
+    }
+}
+
+TEST(Shock, threeBallsWithGapsCollideOneAfterAnother)
+{
+    auto dynamics = row(3, 2e-3*radius, 1.0).build();
+    for (int k = 0; k < 400; ++k) step(dynamics, Vec3::Zero(), 1e-6);
+    EXPECT_NEAR(dynamics.grains().velocity[0][0], 0.0, 1e-8);
+    EXPECT_NEAR(dynamics.grains().velocity[1][0], 0.0, 1e-8);
+    EXPECT_NEAR(dynamics.grains().velocity[2][0], 1.0, 1e-8);
+}
+
+TEST(Shock, massesDifferInARowOfFive)
+{
+    // e = 1 without friction: momentum and energy are exact whatever the masses.
+    Scene scene = row(5, 0.0, 1.0);
+    for (int i = 0; i < 5; ++i) scene.grains.mass[i] *= 1 + i*i;
+    auto dynamics = scene.build();
+    const double energy = nscd::kineticEnergy(dynamics.grains());
+    const Vec3 before = momentum(dynamics.grains());
+    for (int k = 0; k < 200; ++k) step(dynamics, Vec3::Zero(), 1e-4);
+    EXPECT_NEAR(nscd::kineticEnergy(dynamics.grains()), energy, 1e-8*energy);
+    EXPECT_NEAR((momentum(dynamics.grains()) - before).norm(), 0.0, 1e-10*before.norm());
+}
+
+namespace
+{
+
+/// Grains on a jittered lattice in a closed box, with random velocities of the order of 1 m/s.
+Scene gas(int dimensions, int perSide, double spacing, double friction, double restitution)
+{
+    Scene scene(dimensions, friction, restitution);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const int layers = dimensions == 3 ? perSide : 1;
+    const double shake = 0.5*(spacing - 2*radius)*0.9;
+    for (int k = 0; k < layers; ++k)
+    for (int j = 0; j < perSide; ++j)
+    for (int i = 0; i < perSide; ++i)
+    {
+        Vec3 x = spacing*Vec3(i + 0.5, j + 0.5, k + 0.5) + shake*Vec3(unit(random), unit(random), unit(random));
+        if (dimensions == 2) x[2] = 0.0;
+        scene.addGrain(x, radius);
+        scene.grains.velocity.back() = Vec3(unit(random), unit(random), dimensions == 3 ? unit(random) : 0.0);
+    }
+    const Vec3 far = Vec3::Constant(spacing*perSide);
+    for (int axis = 0; axis < dimensions; ++axis)
+    {
+        scene.addPlane(Vec3::Zero(), Vec3::Unit(axis));
+        scene.addPlane(far, -Vec3::Unit(axis));
+    }
+    return scene;
+}
+
+} // namespace
+
+TEST(Shock, elasticDiscsInABoxKeepTheirEnergy)
+{
+    const Scene scene = gas(2, 14, 3.5*radius, 0.0, 1.0);
+    auto dynamics = scene.build();
+    const double energy = nscd::kineticEnergy(dynamics.grains());
+    Vec3 before = momentum(dynamics.grains());
+    for (int k = 0; k < 10000; ++k)
+    {
+        step(dynamics, Vec3::Zero(), 1e-4);
+        Vec3 fromWalls = Vec3::Zero();
+        for (const Vec3& force : dynamics.wallForce()) fromWalls -= 1e-4*force;
+        const Vec3 after = momentum(dynamics.grains());
+        ASSERT_NEAR((after - before - fromWalls).norm(), 0.0, 1e-10*dynamics.grains().mass[0]) << "step " << k;
+        before = after;
+    }
+    EXPECT_NEAR(nscd::kineticEnergy(dynamics.grains()), energy, 1e-6*energy);
+}
+
+TEST(Shock, elasticDenseSpheresKeepTheirEnergyWithoutFriction)
+{
+    const Scene scene = gas(3, 10, 2.06*radius, 0.0, 1.0);
+    auto dynamics = scene.build();
+    const double energy = nscd::kineticEnergy(dynamics.grains());
+    for (int k = 0; k < 100; ++k) step(dynamics, Vec3::Zero(), 1e-4);
+    EXPECT_NEAR(nscd::kineticEnergy(dynamics.grains()), energy, 1e-6*energy);
+}
+
+/// Kane's paradox: Newton's law and friction at once would create energy in some of these clusters.
+TEST(Shock, touchingClustersWithFrictionNeverGainEnergy)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    int limited = 0;
+    for (int cluster = 0; cluster < 100; ++cluster)
+    {
+        Scene scene(3, 0.5, 1.0);
+        for (int i = 0; i < 27; ++i)
+        {
+            // Close-packed: six neighbors in a layer, three above and below.
+            const int row = (i/3) % 3, layer = i/9;
+            scene.addGrain(2*radius*Vec3(i % 3 + 0.5*((row + layer) % 2), std::sqrt(0.75)*(row + (layer % 2)/3.0), std::sqrt(2.0/3.0)*layer), radius);
+            scene.grains.velocity.back() = Vec3(unit(random), unit(random), unit(random));
+        }
+        auto dynamics = scene.build();
+        const double before = nscd::kineticEnergy(dynamics.grains());
+        const Vec3 start = momentum(dynamics.grains());
+        const nscd::SolveReport report = step(dynamics, Vec3::Zero(), 1e-5).solve;
+        ASSERT_LE(nscd::kineticEnergy(dynamics.grains()), before*(1 + 1e-9)) << cluster;
+        ASSERT_NEAR((momentum(dynamics.grains()) - start).norm(), 0.0, 1e-12) << cluster;
+        if (!report.hasGainedEnergy()) continue;
+        ++limited;
+        EXPECT_LT(report.reboundShare, 1.0);
+        EXPECT_NEAR(nscd::kineticEnergy(dynamics.grains()), before, 1e-9*before) << cluster;
+        EXPECT_NE(nscd::warning(report).find("created"), std::string::npos);
+    }
+    EXPECT_GT(limited, 0);
+}
+
+TEST(Shock, frictionDissipatesInADenseElasticGas)
+{
+    const Scene scene = gas(3, 6, 2.06*radius, 0.5, 1.0);
+    auto dynamics = scene.build();
+    double energy = nscd::kineticEnergy(dynamics.grains());
+    const double start = energy;
+    for (int k = 0; k < 100; ++k)
+    {
+        step(dynamics, Vec3::Zero(), 1e-4);
+        const double after = nscd::kineticEnergy(dynamics.grains());
+        EXPECT_LE(after, energy*(1 + 1e-3)) << "step " << k;
+        energy = after;
+    }
+    EXPECT_LT(energy, start);
+}
