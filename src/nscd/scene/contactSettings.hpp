@@ -4,6 +4,8 @@
 // Settings of contact search and contact solve, with defaults for flowing beds.
 #pragma once
 
+#include "nscd/scene/solverStrategy.hpp"
+
 #include <string>
 
 namespace nscd
@@ -36,6 +38,8 @@ struct ContactSettings
     bool sleep = true;
     /// Vector path of the sweep: auto, portable, AVX2, AVX512.
     std::string vectorPath = "auto";
+    /// What shortens slow solves.
+    SolverStrategy strategy;
 };
 
 } // namespace nscd

@@ -18,13 +18,6 @@ namespace nscd
 namespace
 {
 
-/// Limits of a polished solution per unit of motion: a step then takes about a decade off the noise.
-constexpr double polishPerMotion = 10.0;
-/// What polishing asks for at most, in units of both limits.
-constexpr double finestPolish = 3e-3;
-/// Largest defect of a polished solution, in units of its rms limit.
-constexpr double loneDefect = 10.0;
-
 DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& other)
 {
     double sums[2] = {one.sumSquares + other.sumSquares, one.active + other.active};
@@ -62,9 +55,10 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
 {
     const double lengthRate = problem.diameter/problem.deltaT;
     const double speed = std::max({problem.speedScale, 1e-3*rms(first), 1e-3*settings.deadBand*lengthRate});
-    const double polish = std::min(1.0, std::max(finestPolish, polishPerMotion*problem.motion));
+    const SolverStrategy::Polish& polishing = settings.strategy.polish;
+    const double polish = std::min(1.0, std::max(polishing.finest, polishing.perMotion*problem.motion));
     const double rmsLimit = settings.tolerance*speed, maxLimit = settings.displacementTolerance*lengthRate;
-    return {rmsLimit, maxLimit, speed, polish*rmsLimit, polish < 1.0 ? polish*std::min(maxLimit, loneDefect*rmsLimit) : maxLimit};
+    return {rmsLimit, maxLimit, speed, polish*rmsLimit, polish < 1.0 ? polish*std::min(maxLimit, polishing.loneDefect*rmsLimit) : maxLimit};
 }
 
 BlockRange ContactProblem::inner() const

@@ -23,7 +23,8 @@ public:
         problem_(problem),
         isAccelerated_(settings.accelerate),
         maxSweeps_(settings.maxSweeps),
-        slowSolve_(problem),
+        strategy_(settings.strategy),
+        slowSolve_(problem, strategy_),
         direct_(problem, settings)
     {}
 
@@ -43,7 +44,7 @@ public:
     bool polish(const DefectSums& sums, const StopRule& rule)
     {
         if (rule.isPolished(sums)) return true;
-        if (areDefectsLone_ && rule.hasLoneDefects(sums)) return areDefectsLone_ = polishLoneDefects(problem_, rule);
+        if (areDefectsLone_ && rule.hasLoneDefects(sums)) return areDefectsLone_ = polishLoneDefects(problem_, rule, strategy_.loneDefects);
         return false;
     }
 
@@ -58,7 +59,8 @@ private:
     ContactProblem& problem_;
     bool isAccelerated_;
     int maxSweeps_;
-    bool areDefectsLone_ = true;   ///< as long as working on them alone has done
+    const SolverStrategy& strategy_;
+    bool areDefectsLone_ = strategy_.loneDefects.isOn;   ///< as long as working on them alone has done
     SlowSolve slowSolve_;
     DirectHelp direct_;
 };
@@ -76,9 +78,9 @@ SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings)
     if (!problem.halo.any(!problem.blocks.empty())) return SolveReport();
     if (!problem.packing) return sweepWithHelp(problem, settings);
     SolveReport report;
-    if (problem.packing->isWorthwhile(problem))
+    if (problem.packing->isWorthwhile(problem, settings.strategy.packing))
     {
-        ContactProblem packed = problem.packing->pack(problem);
+        ContactProblem packed = problem.packing->pack(problem, settings.strategy.packing.nearlyClosing);
         report = sweepWithHelp(packed, settings);
         problem.packing->giveBack(problem);
     }

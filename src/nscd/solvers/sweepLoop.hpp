@@ -27,9 +27,11 @@ inline bool isWakingDue(int sweeps, const ContactProblem& problem)
 class Looks
 {
 public:
+    explicit Looks(const SolverStrategy::Looks& strategy) : strategy_(strategy), share_(strategy.share) {}
+
     bool areDue(int sweeps, const DefectSums& met, const StopRule& rule) const
     {
-        return sweeps % sweepsPerLook == 0 && !rule.isMet(met) && share_*rms(met) < nearly*rule.rmsLimit;
+        return strategy_.isOn && sweeps % strategy_.sweepsBetween == 0 && !rule.isMet(met) && share_*rms(met) < strategy_.nearly*rule.rmsLimit;
     }
 
     void note(const DefectSums& met, const DefectSums& left)
@@ -38,9 +40,8 @@ public:
     }
 
 private:
-    static constexpr int sweepsPerLook = 2;
-    static constexpr double nearly = 1.02;
-    double share_ = 0.6;  ///< of the rms that a sweep meets, what it leaves: this with momentum, a little more without
+    const SolverStrategy::Looks& strategy_;
+    double share_;  ///< of the rms that a sweep meets, what it leaves
 };
 
 /// Repeats `pass`, which returns the defects it met, until the rule is met and the solution polished, or maxSweeps.
@@ -54,7 +55,7 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
     SolveReport report;
     StopRule rule{};
     int polishing = 0;
-    Looks looks;
+    Looks looks(settings.strategy.looks);
     const auto isSolved = [&]()
     {
         help.complete(report, rule);

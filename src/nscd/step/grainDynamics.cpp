@@ -202,7 +202,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
-    const SolveReport report = solveBesideIsolated(problem, list.isolatedBlocks, capGuard.apply(settings), solve);
+    const SolveReport report = solveBesideIsolated(problem, settings.strategy.isolatedPairs ? list.isolatedBlocks : 0, capGuard.apply(settings), solve);
     if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
     return report;
 }

@@ -31,7 +31,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = capGuard.apply(settings);
     shockSettings.displacementTolerance = 1.0;
-    const SolveReport shock = solveBesideIsolated(problem, list.isolatedBlocks, shockSettings, solve);
+    const SolveReport shock = solveBesideIsolated(problem, settings.strategy.isolatedPairs ? list.isolatedBlocks : 0, shockSettings, solve);
     if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
     report = worstOf(shock, report);
     if (sleep.any() && !sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty())

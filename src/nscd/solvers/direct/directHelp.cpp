@@ -16,14 +16,6 @@ namespace nscd
 namespace
 {
 
-/// Base force of a stack of 19 under a body 100 times heavier, by sweeps alone at the default tolerance: off by 0.1; under 1e4: by 0.7.
-constexpr double harmlessMassRatio = 50.0;
-/// Earlier a price is not worth asking for.
-constexpr int firstLook = 500;
-/// In sweeps up to the cap: what the direct method may cost where grains hardly move. In a flow, impulses change from step to step.
-constexpr double mostPerCap = 10.0;
-constexpr double restMotion = 0.1;
-
 /// Largest ratio of masses of two bodies that a loaded contact joins.
 double loadedMassRatio(const ContactProblem& problem)
 {
@@ -44,13 +36,13 @@ double loadedMassRatio(const ContactProblem& problem)
 
 double DirectHelp::priceLimit() const
 {
-    return (problem_.motion < restMotion ? mostPerCap : 1.0)*settings_.maxSweeps;
+    return (problem_.motion < settings_.strategy.direct.restMotion ? settings_.strategy.direct.mostPerCap : 1.0)*settings_.maxSweeps;
 }
 
 bool DirectHelp::isDue(int sweeps)
 {
-    if (problem_.halo.isParallel() || problem_.clumps || isDone_) return false;
-    if (!hasPrice_ && sweeps >= std::min(firstLook, settings_.maxSweeps))
+    if (problem_.halo.isParallel() || problem_.clumps || isDone_ || !settings_.strategy.direct.isOn) return false;
+    if (!hasPrice_ && sweeps >= std::min(settings_.strategy.direct.firstLook, settings_.maxSweeps))
     {
         hasPrice_ = true;
         const double price = DirectSolve(problem_).price(priceLimit());
@@ -68,9 +60,10 @@ void DirectHelp::solve(const StopRule& rule)
 
 void DirectHelp::checkHeavyBodies(SolveReport& report, const StopRule& rule)
 {
-    if (!(problem_.massRatio > harmlessMassRatio) || isDone_) return;
+    const double harmless = settings_.strategy.direct.harmlessMassRatio;
+    if (!(problem_.massRatio > harmless) || isDone_) return;
     const double ratio = loadedMassRatio(problem_);
-    if (!(ratio > harmlessMassRatio)) return;
+    if (!(ratio > harmless)) return;
     if (!problem_.halo.isParallel() && !problem_.clumps && DirectSolve(problem_).price(priceLimit()) <= priceLimit()) solve(rule);
     else report.hiddenMassRatio = ratio;
 }

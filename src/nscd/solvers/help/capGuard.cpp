@@ -18,17 +18,17 @@ ContactSettings CapGuard::apply(ContactSettings settings) const
 
 void CapGuard::note(SolveReport& report, const ContactSettings& settings)
 {
-    if (!settings.raiseCap || settings.maxSweeps >= enough) return;
+    if (!settings.raiseCap || settings.maxSweeps >= settings.strategy.cap.enough) return;
     report.raisedCap = raised_;
     report.userCap = settings.maxSweeps;
     atCap_ = report.converged ? 0 : atCap_ + 1;
     within_ = report.converged && report.sweeps <= settings.maxSweeps ? within_ + 1 : 0;
-    if (atCap_ == patience)
+    if (atCap_ == settings.strategy.cap.patience)
     {
-        raised_ = std::min(enough, 2*std::max(settings.maxSweeps, raised_));
+        raised_ = std::min(settings.strategy.cap.enough, 2*std::max(settings.maxSweeps, raised_));
         atCap_ = 0;
     }
-    else if (within_ >= patience) raised_ = 0;
+    else if (within_ >= settings.strategy.cap.patience) raised_ = 0;
 }
 
 std::string capWarning(const SolveReport& report)

@@ -18,10 +18,6 @@ namespace nscd
 class CapGuard
 {
 public:
-    static constexpr int patience = 5;
-    /// The default cap.
-    static constexpr int enough = 1000;
-
     /// The settings for the next solve.
     ContactSettings apply(ContactSettings settings) const;
 

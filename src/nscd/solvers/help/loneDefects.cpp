@@ -15,12 +15,6 @@ namespace nscd
 namespace
 {
 
-/// Farther away the defects that a few sweeps carry there are below the limit.
-constexpr int contactsAway = 3;
-constexpr double mostSweeps = 100.0;
-/// In sweeps over all active contacts.
-constexpr double mostWork = 5.0;
-
 class Neighborhood
 {
 public:
@@ -77,16 +71,16 @@ private:
 
 } // namespace
 
-bool polishLoneDefects(ContactProblem& problem, const StopRule& rule)
+bool polishLoneDefects(ContactProblem& problem, const StopRule& rule, const SolverStrategy::LoneDefects& strategy)
 {
     const double limit = rule.polishedMax;
     Neighborhood neighborhood(problem);
     neighborhood.addDefective(0.5*limit);
     std::vector<std::uint32_t> chosen;
-    for (int k = 0; k < contactsAway; ++k) chosen = neighborhood.grow();
+    for (int k = 0; k < strategy.contactsAway; ++k) chosen = neighborhood.grow();
 
     const double share = static_cast<double>(chosen.size())/std::max<std::size_t>(1, problem.awake.size());
-    const double sweeps = std::min(mostSweeps, mostWork/problem.halo.max(std::max(share, 1e-3)));
+    const double sweeps = std::min(strategy.mostSweeps, strategy.mostWork/problem.halo.max(std::max(share, 1e-3)));
     problem.awake.swap(chosen);
     bool isPolished = false;
     for (int sweep = 0; sweep < sweeps && !isPolished; ++sweep) isPolished = sweepActive(problem).maxSquare <= 0.5*limit*limit;

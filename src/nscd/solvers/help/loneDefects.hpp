@@ -13,6 +13,6 @@ namespace nscd
 /// none does, or that has cost as much as five sweeps over all. In a bed at rest these are tens of tens of thousands, around
 /// grains that roll, and need ten times the sweeps that all others do. Call it on all ranks.
 /// Returns whether none does any more.
-bool polishLoneDefects(ContactProblem& problem, const StopRule& rule);
+bool polishLoneDefects(ContactProblem& problem, const StopRule& rule, const SolverStrategy::LoneDefects& strategy);
 
 } // namespace nscd

@@ -14,11 +14,6 @@ namespace nscd
 namespace
 {
 
-constexpr int longSolve = 30;               // sweeps
-constexpr std::size_t largeProblem = 256;   // blocks
-/// Gaps that stay nearer than this are packed too [d]: what comes in later disturbs what is solved. In a collapse 0.005, 0.008 and 0.012 take 589 000,
-/// 588 000 and 610 000 visits of blocks a step (four moments); 0, with looks after 1, 4 and 16 sweeps, 950 000, 0.008 596 000, no packing 762 000 (two).
-constexpr double nearlyClosing = 0.008;
 constexpr std::uint32_t noSlot = std::numeric_limits<std::uint32_t>::max();
 
 bool isLoaded(const ContactBlock& block, int lane) { return block.r[0][lane] != 0.0 || block.r[1][lane] != 0.0 || block.r[2][lane] != 0.0; }
@@ -54,10 +49,10 @@ void putOutOfReach(ContactBlock& block, int lane)
 
 } // namespace
 
-bool PackedContacts::isWorthwhile(const ContactProblem& whole) const
+bool PackedContacts::isWorthwhile(const ContactProblem& whole, const SolverStrategy::Packing& strategy) const
 {
-    return whole.isFlowing() && !whole.rolling && !whole.clumps && !whole.halo.isParallel()
-        && lastSweeps_ >= longSolve && whole.awake.size() >= largeProblem;
+    return strategy.isOn && whole.isFlowing() && !whole.rolling && !whole.clumps && !whole.halo.isParallel()
+        && lastSweeps_ >= strategy.longSolve && whole.awake.size() >= strategy.largeProblem;
 }
 
 void PackedContacts::append(const std::vector<std::uint32_t>& slots, int staticBody)
@@ -89,7 +84,7 @@ void PackedContacts::append(const std::vector<std::uint32_t>& slots, int staticB
     std::iota(awake_.begin() + static_cast<std::ptrdiff_t>(before), awake_.end(), static_cast<std::uint32_t>(before));
 }
 
-ContactProblem PackedContacts::pack(ContactProblem& whole)
+ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
 {
     home_ = &whole.blocks;
     firstOfHome_ = whole.firstBlock;

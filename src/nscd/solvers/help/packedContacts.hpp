@@ -16,11 +16,11 @@ class PackedContacts
 {
 public:
     /// Whether packing pays: in a large flow whose last solve was long, on one rank. It costs as much as five sweeps and saves a fifth of each.
-    bool isWorthwhile(const ContactProblem& whole) const;
+    bool isWorthwhile(const ContactProblem& whole, const SolverStrategy::Packing& strategy) const;
 
     /// The contacts of the active blocks that carry an impulse, are closed, or close in the present motion.
     /// Ensures: until giveBack() the packed problem stands for the whole one, which must not be touched
-    ContactProblem pack(ContactProblem& whole);
+    ContactProblem pack(ContactProblem& whole, double nearlyClosing);
 
     /// Packs contacts that should carry an impulse at the present velocities behind the others. Returns whether there were any.
     bool wake(ContactProblem& packed);

@@ -21,7 +21,7 @@ namespace nscd
 class SlowSolve
 {
 public:
-    explicit SlowSolve(ContactProblem& problem);
+    SlowSolve(ContactProblem& problem, const SolverStrategy& strategy);
 
     /// `sums`: defects that the sweep met, or those that it left, where these were looked at. Returns the work done beside sweeps, in sweeps.
     int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule);
@@ -37,6 +37,7 @@ private:
     bool isSlow(int sweepsBetween, const DefectSums& sums);
     void start(int sweeps);
     bool isFlowing() const;
+    bool hasHelp() const;
     void makeMixing();
     void restart();
     void judgeTerm(int sweeps);
@@ -46,6 +47,7 @@ private:
     void forgetDirections();
 
     ContactProblem& problem_;
+    const SolverStrategy& strategy_;
     bool isCold_;               ///< started without any impulse (here, until all ranks were asked)
     std::unique_ptr<AndersonAcceleration> anderson_;
     std::unique_ptr<SweepMomentum> momentum_;   ///< in its place in a cold solve, and in a flow
@@ -54,7 +56,7 @@ private:
     int sinceMixing_ = 0;
     int lastLocal_ = 0;
     bool isMixed_ = false;
-    int pause_ = 30;
+    int pause_;
     int endOfTerm_ = 0;
     bool isPausing_ = false;
     double best_ = std::numeric_limits<double>::max();

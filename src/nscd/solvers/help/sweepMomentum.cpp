@@ -15,12 +15,6 @@ namespace
 {
 
 constexpr int blockSize = 3*blockLanes;
-/// With 1 and 1.2 beds 10 to 75 d deep take about as many sweeps (cold, to 1e-3); with 0.5 or 3 up to twice as many.
-constexpr double limitPerDepth = 1.2;
-constexpr double leastLimit = 0.9, mostLimit = 0.99;
-/// Frozen problems of a collapse of 25 000 grains, rms to 1e-2 vs, means of four: 110, 80, 72, 78 sweeps with 0.7, 0.8, 0.85 and 0.88 all the time; 67
-/// with 0.9, then 0.8; 66 with 0.92, then 0.8; 69 with 0.9, then 0.7. Much momentum brings far changes and keeps a defect of its own.
-constexpr double flowingTheta = 0.9, nearTheta = 0.8;
 
 /// Direction of the momentum of all bodies; zero where they have none.
 Vec3 fallingDirection(const ContactProblem& problem)
@@ -49,13 +43,19 @@ double depth(const ContactProblem& problem)
     return (ends[0] + ends[1])/problem.diameter;
 }
 
+double limitOfDepth(double depth, const SolverStrategy::Momentum& strategy)
+{
+    return std::clamp(1.0 - strategy.limitPerDepth/std::max(1.0, depth), strategy.leastLimit, strategy.mostLimit);
+}
+
 } // namespace
 
-SweepMomentum::SweepMomentum(ContactProblem& problem, Kind kind)
+SweepMomentum::SweepMomentum(ContactProblem& problem, Kind kind, const SolverStrategy::Momentum& strategy)
 :
     problem_(problem),
     kind_(kind),
-    limit_(kind == Kind::flowing ? flowingTheta : std::clamp(1.0 - limitPerDepth/std::max(1.0, depth(problem)), leastLimit, mostLimit))
+    strategy_(strategy),
+    limit_(kind == Kind::flowing ? strategy.flowing : limitOfDepth(depth(problem), strategy))
 {}
 
 double SweepMomentum::uphill() const
@@ -78,7 +78,7 @@ double SweepMomentum::uphill() const
 
 double SweepMomentum::nextTheta(bool isNear)
 {
-    if (kind_ == Kind::flowing) return isNear ? nearTheta : flowingTheta;
+    if (kind_ == Kind::flowing) return isNear ? strategy_.near : strategy_.flowing;
     if (uphill() > 0.0) pace_ = 1.0;
     const double next = 0.5*(1.0 + std::sqrt(1.0 + 4.0*pace_*pace_)), theta = std::min((pace_ - 1.0)/next, limit_);
     pace_ = next;

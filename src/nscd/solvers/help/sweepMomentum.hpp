@@ -23,7 +23,7 @@ public:
     enum class Kind { falling, flowing };
 
     /// For the active blocks of a problem, which must stay as they are until forget(); of all ranks.
-    SweepMomentum(ContactProblem& problem, Kind kind);
+    SweepMomentum(ContactProblem& problem, Kind kind, const SolverStrategy::Momentum& strategy);
 
     /// Turns what a sweep has led to, r_k, into the next y, in flows once the next sweep comes by. `isNear`: whether the solution is near.
     void advance(bool isNear = false);
@@ -47,6 +47,7 @@ private:
 
     ContactProblem& problem_;
     Kind kind_;
+    const SolverStrategy::Momentum& strategy_;
     double limit_;        ///< of theta, where grains fall
     double pace_ = 1.0;   ///< t
     bool hasImage_ = false;

@@ -36,7 +36,7 @@ int capAfter(nscd::CapGuard& guard, int steps, bool converged, const nscd::Conta
 
 TEST(CapGuard, doublesACapThatStepAfterStepEndsAt)
 {
-    const int patience = nscd::CapGuard::patience;
+    const int patience = nscd::SolverStrategy().cap.patience;
     const nscd::ContactSettings settings = capped(30);
     nscd::CapGuard guard;
     EXPECT_EQ(capAfter(guard, patience - 1, false, settings), 30);
@@ -44,8 +44,8 @@ TEST(CapGuard, doublesACapThatStepAfterStepEndsAt)
     EXPECT_EQ(capAfter(guard, patience - 1, false, settings), 30);
     EXPECT_EQ(capAfter(guard, 1, false, settings), 60);
     EXPECT_EQ(capAfter(guard, 2*patience, false, settings), 240);
-    EXPECT_EQ(capAfter(guard, 10*patience, false, settings), nscd::CapGuard::enough);
-    EXPECT_EQ(capAfter(guard, patience - 1, true, settings), nscd::CapGuard::enough);
+    EXPECT_EQ(capAfter(guard, 10*patience, false, settings), nscd::SolverStrategy().cap.enough);
+    EXPECT_EQ(capAfter(guard, patience - 1, true, settings), nscd::SolverStrategy().cap.enough);
     EXPECT_EQ(capAfter(guard, 1, true, settings), 30);
 }
 

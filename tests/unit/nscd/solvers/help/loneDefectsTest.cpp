@@ -35,7 +35,7 @@ TEST(LoneDefects, goAwayWhereTheyAre)
     Column column = columnAtRest(size, contact, 2e-3);
     nscd::ContactProblem problem = column.problem();
     ASSERT_GT(nscd::residual(problem).maxSquare, limit*limit);
-    EXPECT_TRUE(nscd::polishLoneDefects(problem, rule));
+    EXPECT_TRUE(nscd::polishLoneDefects(problem, rule, {}));
     EXPECT_LE(nscd::residual(problem).maxSquare, limit*limit);
     EXPECT_EQ(column.awake.size(), static_cast<std::size_t>(size));
     int changed = 0;
@@ -48,7 +48,7 @@ TEST(LoneDefects, belowRoundOffAreReported)
 {
     Column column = columnAtRest(60, 30, 2e-3);
     nscd::ContactProblem problem = column.problem();
-    EXPECT_FALSE(nscd::polishLoneDefects(problem, {1e-2, 1.0, 1.0, 1e-20, 1e-20}));
+    EXPECT_FALSE(nscd::polishLoneDefects(problem, {1e-2, 1.0, 1.0, 1e-20, 1e-20}, {}));
     EXPECT_EQ(column.awake.size(), 60u);
 }
 
@@ -56,6 +56,6 @@ TEST(LoneDefects, belowTheLimitAreLeftAlone)
 {
     Column column = columnAtRest(60, 30, 0.2*limit);
     nscd::ContactProblem problem = column.problem();
-    EXPECT_TRUE(nscd::polishLoneDefects(problem, rule));
+    EXPECT_TRUE(nscd::polishLoneDefects(problem, rule, {}));
     EXPECT_EQ(column.blocks[30].r[2][0], 30 - 0.2*limit);
 }

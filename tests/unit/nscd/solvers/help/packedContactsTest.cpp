@@ -112,13 +112,13 @@ TEST(PackedContacts, areWorthwhileInLongSolvesOfLargeFlows)
     Grid grid(true);
     nscd::ContactProblem problem = grid.problem();
     nscd::PackedContacts packing;
-    EXPECT_FALSE(packing.isWorthwhile(problem));
+    EXPECT_FALSE(packing.isWorthwhile(problem, {}));
     packing.note(100);
-    EXPECT_TRUE(packing.isWorthwhile(problem));
+    EXPECT_TRUE(packing.isWorthwhile(problem, {}));
     problem.motion = 0.1;
-    EXPECT_FALSE(packing.isWorthwhile(problem));
+    EXPECT_FALSE(packing.isWorthwhile(problem, {}));
     Column column(3, Vec3::UnitZ());
-    EXPECT_FALSE(packing.isWorthwhile(column.problem()));
+    EXPECT_FALSE(packing.isWorthwhile(column.problem(), {}));
 }
 
 TEST(PackedContacts, comeBackToTheBit)
@@ -130,7 +130,7 @@ TEST(PackedContacts, comeBackToTheBit)
     const std::vector<std::uint32_t> awake = grid.awake;
     const std::size_t loaded = grid.loaded();
     nscd::PackedContacts packing;
-    nscd::ContactProblem packed = packing.pack(problem);
+    nscd::ContactProblem packed = packing.pack(problem, 0.008);
     EXPECT_LT(packed.blocks.size(), before.size());
     EXPECT_EQ(grid.loaded(), 0u);
     EXPECT_EQ(packing.defectsOfRest(packed).sumSquares, 0.0);   // whatever closes is packed
@@ -173,7 +173,7 @@ TEST(PackedContacts, takeInWhatComesToClose)
     Grid grid(true);
     nscd::ContactProblem problem = grid.problem();
     nscd::PackedContacts packing;
-    nscd::ContactProblem packed = packing.pack(problem);
+    nscd::ContactProblem packed = packing.pack(problem, 0.008);
     EXPECT_FALSE(nscd::wakeBlocks(packed));
     const std::size_t before = packed.blocks.size();
     for (nscd::Body& body : grid.bodies)

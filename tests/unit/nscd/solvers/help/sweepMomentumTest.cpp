@@ -60,7 +60,8 @@ TEST(SweepMomentum, followsNesterovUntilAStepGoesUphill)
 {
     Column column(1, Vec3::UnitZ());
     nscd::ContactProblem problem = column.problem();
-    nscd::SweepMomentum momentum(problem, falling);
+    const nscd::SolverStrategy strategy;
+    nscd::SweepMomentum momentum(problem, falling, strategy.momentum);
     EXPECT_EQ(advanceFrom(1.0, column, problem, momentum), 1.0);
     double r = 1.0, t = 1.0, y = 1.0;
     for (int k = 0; k < 8; ++k)
@@ -87,7 +88,8 @@ TEST(SweepMomentum, isLimitedByTheDepthAlongTheFall)
     {
         Column column(size, up);
         nscd::ContactProblem problem = column.problem();
-        nscd::SweepMomentum momentum(problem, falling);
+        const nscd::SolverStrategy strategy;
+        nscd::SweepMomentum momentum(problem, falling, strategy.momentum);
         double r = 0.0, y = 0.0, theta = 0.0;
         for (int k = 0; k < 2000; ++k)
         {
@@ -109,7 +111,8 @@ TEST(SweepMomentum, isSteadyInAFlowAndTakenBackToTheBit)
 {
     Column column(3, Vec3::UnitZ());
     nscd::ContactProblem problem = column.problem();
-    nscd::SweepMomentum momentum(problem, flowing);
+    const nscd::SolverStrategy strategy;
+    nscd::SweepMomentum momentum(problem, flowing, strategy.momentum);
     momentum.advance();
     EXPECT_NEAR(advanceFrom(1.0, column, problem, momentum), 1.0 + 0.9*1.0, 1e-14);
     EXPECT_NEAR(advanceFrom(1.7, column, problem, momentum, true), 1.7 + 0.8*0.7, 1e-14);
