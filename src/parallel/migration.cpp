@@ -48,7 +48,8 @@ std::vector<Value> movedAsPlain(const Migration& migration, const std::vector<Va
 struct ImpulseRecord
 {
     std::int64_t idA, idB;
-    Plain3 impulse, rolling;
+    Plain3 impulse;
+    std::array<Plain3, lawImpulses> ofLaws;
 };
 
 GrainRecord recordOf(const Grains& g, std::size_t i)
@@ -119,11 +120,16 @@ std::vector<StoredImpulse> moveImpulses
 {
     std::vector<ImpulseRecord> sent;
     sent.reserve(impulses.size());
-    for (const StoredImpulse& entry : impulses) sent.push_back({entry.idA, entry.idB, plain(entry.impulse), plain(entry.rolling)});
+    for (const StoredImpulse& entry : impulses)
+    {
+        sent.push_back({entry.idA, entry.idB, plain(entry.impulse), {}});
+        for (std::size_t m = 0; m < lawImpulses; ++m) sent.back().ofLaws[m] = plain(entry.ofLaws[m]);
+    }
     std::vector<StoredImpulse> received;
     for (const ImpulseRecord& entry : valuesOf<ImpulseRecord>(all.exchange(messagesByRank(sent, destination))))
     {
-        received.push_back({entry.idA, entry.idB, vectorOf(entry.impulse), vectorOf(entry.rolling)});
+        received.push_back({entry.idA, entry.idB, vectorOf(entry.impulse)});
+        for (std::size_t m = 0; m < lawImpulses; ++m) received.back().ofLaws[m] = vectorOf(entry.ofLaws[m]);
     }
     return received;
 }

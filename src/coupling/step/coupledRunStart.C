@@ -9,6 +9,7 @@
 #include "coupling/case/log/sceneLog.H"
 #include "coupling/case/start/numericsCheck.H"
 #include "coupling/case/start/parallelRefusal.H"
+#include "nscd/contacts/contactLaw.hpp"
 
 namespace Foam
 {
@@ -35,9 +36,6 @@ bool areAllFixed(const ::nscd::Grains& grains, const ::nscd::Exchange& exchange)
     return anyMoves == 0;
 }
 
-/// Without friction of any kind grains do not turn.
-bool canTurn(const ::nscd::Materials& materials) { return materials.anyFriction() || materials.anyRolling(); }
-
 ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool canTurn)
 {
     if (!hasFluid) return {false, false, false, false};
@@ -61,7 +59,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     properties_(readRunnable(time, mesh)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
-    active_(activeForces(properties_.forces, properties_.solvesFluid, canTurn(properties_.materials.table))),
+    active_(activeForces(properties_.forces, properties_.solvesFluid, ::nscd::actsOnSpins(properties_.materials.table))),
     ranks_(properties_.maxLoadImbalance),
     log_(time, Info, properties_.solvesFluid)
 {

@@ -4,7 +4,7 @@
 // Pairs, walls, and who solves what lies between two ranks.
 #include "nscd/contacts/contactCandidates.hpp"
 
-#include "nscd/contacts/clumps/clumpCandidates.hpp"
+#include "nscd/contacts/generalCandidates.hpp"
 #include "nscd/search/wallSearch.hpp"
 
 #include <algorithm>
@@ -131,7 +131,7 @@ Candidates findCandidates
     const WallSearch& wallSearch
 )
 {
-    const double range = scene.materials.cohesionRange();
+    const double range = rangeOfLaws(scene.materials);
     const double largest = list.radius.empty() ? 0.0 : *std::max_element(list.radius.begin(), list.radius.end());
     const bool arePathsKnown = !list.path.empty();
     const SearchSpheres spheres = arePathsKnown ? spheresOnPaths(list, scene.box, range) : spheresAtBodies(list, reach);
@@ -153,7 +153,7 @@ Candidates findCandidates
         else if (isSolvedHere(rank, ghosts[pair.b - list.owned()].owner)) found.interface.push_back(candidate);
     }
     found.inner.insert(found.inner.end(), wall, walls.end());
-    if (!list.clumps.empty()) removeWithinClumps(found.inner, list.clumps);
+    if (!list.general.empty()) removeWithinBodies(found.inner, list.general);
     return found;
 }
 

@@ -5,8 +5,8 @@
 #include "nscd/contacts/contactList.hpp"
 
 #include "nscd/base/mortonOrder.hpp"
-#include "nscd/contacts/clumps/clumpCandidates.hpp"
 #include "nscd/contacts/contactCandidates.hpp"
+#include "nscd/contacts/generalCandidates.hpp"
 #include "nscd/contacts/listBlocks.hpp"
 
 #include <algorithm>
@@ -203,7 +203,7 @@ Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candid
     addWallBodies(list, scene, candidates);
 
     Batches isolated = batchNearAndFar(list, scene, candidates.isolated, diameter);
-    Batches inner = list.clumps.empty() ? batchNearAndFar(list, scene, candidates.inner, diameter) : batchWithClumps(list, scene, candidates.inner, diameter);
+    Batches inner = list.general.empty() ? batchNearAndFar(list, scene, candidates.inner, diameter) : batchWithGeneral(list, scene, candidates.inner, diameter);
     Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
     reserveBlocks(list, scene, isolated.blocks + inner.blocks + interface.blocks);
     const std::vector<int> material = materialOfBodies(list, scene);
@@ -213,7 +213,7 @@ Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candid
     appendBlocks(list, scene, material, candidates.inner, inner);
     groupWallSlots(list, scene, candidates.inner, inner);
     findMovingSlots(list, candidates.inner, inner);
-    list.interfaceBlock = list.clumps.empty() ? list.blocks.size() : list.clumps.firstBlock;
+    list.interfaceBlock = list.general.empty() ? list.blocks.size() : list.general.firstBlock;
     appendBlocks(list, scene, material, candidates.interface, interface);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
@@ -230,12 +230,12 @@ ContactList buildContactList
 {
     ContactList list = emptied(std::move(old));
     list.wallReach = std::move(wallReach);
-    list.hasRolling = scene.materials.anyRolling();
+    list.laws = ListLaws(scene.materials);
     sortBodies(list, scene.grains, reach, diameter);
-    list.clumps = listClumps(scene.grains.clumps, list.grainOf);
+    list.general = listGeneralBodies(scene.grains.clumps, list.grainOf);
     const std::vector<GhostGrain> ghosts = exchange.findGhosts(scene.grains, reach, scene.box);
     const std::vector<double> reachOfAll = addGhosts(list, ghosts);
-    const double range = scene.materials.cohesionRange();
+    const double range = rangeOfLaws(scene.materials);
     if (range > 0.0) std::for_each(list.reach.begin(), list.reach.end(), [range](double& r) { r -= range; });
     setPaths(list, expected);
     Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene, wallSearch);
@@ -246,7 +246,7 @@ ContactList buildContactList
         addGhosts(list, list.ghosts);
         joinHalo(list, candidates.interface, exchange);
     }
-    if (!list.hasRolling && list.clumps.empty()) takeIsolated(list, candidates);
+    if (!list.laws.areSwept() && list.general.empty()) takeIsolated(list, candidates);
     packCandidates(list, scene, candidates, diameter);
     return list;
 }

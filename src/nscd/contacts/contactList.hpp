@@ -5,9 +5,8 @@
 #pragma once
 
 #include "nscd/base/periodicBox.hpp"
-#include "nscd/contacts/clumps/clumpContacts.hpp"
-#include "nscd/contacts/laws/cohesion.hpp"
-#include "nscd/contacts/laws/rollingFriction.hpp"
+#include "nscd/contacts/general/generalBodies.hpp"
+#include "nscd/contacts/listLaws.hpp"
 #include "nscd/kernels/contactBlock.hpp"
 #include "nscd/kernels/halo.hpp"
 #include "nscd/scene/grains.hpp"
@@ -61,11 +60,9 @@ struct ContactList
     std::vector<int> wall;                  ///< wall region, or -1 for a pair of grains
     std::vector<std::array<signed char, 3>> image;  ///< periodic shift of body B, in periods
     std::vector<double> restitution;        ///< empty if no pair of materials has any
-    RollingSlots rolling;                   ///< likewise
-    bool hasRolling = false;                ///< whether any pair resists rolling or spinning, here or on another rank
-    CohesiveSlots cohesion;                 ///< likewise
+    ListLaws laws;                          ///< beside Coulomb's; none in plain scenes
 
-    ClumpList clumps;                       ///< empty in scenes without
+    GeneralBodies general;                  ///< empty in scenes without
 
     std::vector<std::uint32_t> awake;       ///< blocks that can matter in this step, ascending; set by prepareSlots
 
@@ -129,7 +126,7 @@ struct ExpectedMotion
 };
 
 /// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].
-/// A reach is how far a grain may travel before the list is stale, and the range of cohesion. Where motion is expected, own pairs that do
+/// A reach is how far a grain may travel before the list is stale, and the range of laws that act across gaps. Where motion is expected, own pairs that do
 /// not come near one another in it are left out, and a grain that moves otherwise, by more than its reach less its path, makes the list stale. `old`: a list whose memory is used again.
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 ContactList buildContactList

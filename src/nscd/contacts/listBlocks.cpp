@@ -30,27 +30,6 @@ void makeRoom(std::vector<Element>& array, std::size_t number)
     array.reserve(number + more);
 }
 
-RollingSlot rollingSlot(const ContactList& list, const Candidate& candidate, const ContactPair& pair)
-{
-    RollingSlot slot;
-    slot.rolling = pair.rollingFriction;
-    slot.spinning = pair.spinningFriction;
-    slot.shareA = slot.shareB = 1.0;
-    if (candidate.wall >= 0) return slot;
-    const double radiusA = list.radius[candidate.a];
-    slot.shareB = radiusA/(radiusA + list.radius[candidate.b]);
-    slot.shareA = 1.0 - slot.shareB;
-    return slot;
-}
-
-/// What a pair has beyond friction.
-void setOptionalLaws(ContactList& list, std::size_t slot, const Candidate& candidate, const ContactPair& pair)
-{
-    if (!list.restitution.empty()) list.restitution[slot] = pair.restitution;
-    if (!list.rolling.empty()) list.rolling[slot] = rollingSlot(list, candidate, pair);
-    if (!list.cohesion.empty()) list.cohesion[slot] = {pair.cohesion, pair.cohesionRange, {0.0, 0.0, 0.0}, false};
-}
-
 } // namespace
 
 std::vector<int> materialOfBodies(const ContactList& list, const Scene& scene)
@@ -71,8 +50,6 @@ void reserveBlocks(ContactList& list, const Scene& scene, std::size_t blocks)
     makeRoom(list.wall, blocks*blockLanes);
     makeRoom(list.image, blocks*blockLanes);
     if (scene.materials.anyRestitution()) list.restitution.reserve(blocks*blockLanes);
-    if (scene.materials.anyRolling()) list.rolling.reserve(blocks*blockLanes);
-    if (scene.materials.anyCohesion()) list.cohesion.reserve(blocks*blockLanes);
 }
 
 void appendBlocks
@@ -86,8 +63,7 @@ void appendBlocks
     list.wall.resize(slots, -1);
     list.image.resize(slots, {0, 0, 0});
     if (scene.materials.anyRestitution()) list.restitution.resize(slots, 0.0);
-    if (scene.materials.anyRolling()) list.rolling.resize(slots);
-    if (scene.materials.anyCohesion()) list.cohesion.resize(slots);
+    list.laws.resize(slots);
     list.candidates += candidates.size();
 
     for (std::size_t k = 0; k < candidates.size(); ++k)
@@ -99,7 +75,8 @@ void appendBlocks
         block.b[slot % blockLanes] = candidate.b;
         const ContactPair& pair = coefficients(material, scene, candidate);
         block.friction[slot % blockLanes] = pair.friction;
-        setOptionalLaws(list, slot, candidate, pair);
+        if (!list.restitution.empty()) list.restitution[slot] = pair.restitution;
+        if (!list.laws.empty()) list.laws.set(slot, pair, list.radius[candidate.a], candidate.wall >= 0 ? 0.0 : list.radius[candidate.b]);
         list.wall[slot] = candidate.wall;
         list.image[slot] = candidate.image;
     }

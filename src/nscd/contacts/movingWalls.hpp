@@ -31,7 +31,7 @@ public:
     /// Whether any wall moves in the step begun, or drags grains along.
     bool isAnyMoving() const;
 
-    /// Sets the velocities of the list's bodies at walls, none along `emptyAxis` if that is not -1. For rolling friction such a body is
+    /// Sets the velocities of the list's bodies at walls, none along `emptyAxis` if that is not -1. For laws within the sweeps such a body is
     /// as large as the grain and turns with the wall, in 2D about the empty axis alone; its surface has the wall's velocity.
     void setVelocities(ContactList& list, const PeriodicBox& box, int emptyAxis) const;
 

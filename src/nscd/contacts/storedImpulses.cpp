@@ -20,10 +20,10 @@ struct ImpulsesByBody
 {
     std::vector<int> start;
     std::vector<PairImpulse> entries;
-    std::vector<Vec3> rolling;   ///< of each entry, or empty
+    std::vector<LawImpulses> ofLaws;   ///< of each entry, or empty
 };
 
-ImpulsesByBody groupByBody(const ContactList& list, const std::vector<PairImpulse>& impulses, const std::vector<Vec3>& rolling)
+ImpulsesByBody groupByBody(const ContactList& list, const std::vector<PairImpulse>& impulses, const std::vector<LawImpulses>& ofLaws)
 {
     std::vector<int> bodyOf(list.owned());
     for (int body = 0; body < list.owned(); ++body) bodyOf[list.grainOf[body]] = body;
@@ -33,7 +33,7 @@ ImpulsesByBody groupByBody(const ContactList& list, const std::vector<PairImpuls
     ImpulsesByBody table;
     table.start.assign(list.firstWallBody() + 2, 0);
     table.entries.resize(impulses.size());
-    table.rolling.resize(rolling.size());
+    table.ofLaws.resize(ofLaws.size());
     for (const PairImpulse& entry : impulses)
     {
         const int a = number(entry.a), b = number(entry.b);
@@ -47,7 +47,7 @@ ImpulsesByBody groupByBody(const ContactList& list, const std::vector<PairImpuls
         const bool swap = isSwapped(a, b);
         const int place = table.start[(swap ? b : a) + 1]++;
         table.entries[place] = swap ? PairImpulse{b, a, -impulses[k].impulse} : PairImpulse{a, b, impulses[k].impulse};
-        if (!rolling.empty()) table.rolling[place] = swap ? Vec3(-rolling[k]) : rolling[k];
+        if (!ofLaws.empty()) table.ofLaws[place] = swap ? -ofLaws[k] : ofLaws[k];
     }
     return table;
 }
@@ -60,7 +60,7 @@ std::unordered_map<std::int64_t, int> numberById(const std::vector<GhostGrain>& 
 }
 
 /// What other ranks solve now goes to them; what they had that is solved here comes back.
-/// `value(k)`: the impulse of entry k to be handed over, its own or the rolling one.
+/// `value(k)`: the impulse of entry k to be handed over, its own or a law's.
 template<class Value>
 std::vector<InterfaceImpulse> handOver
 (
@@ -93,8 +93,12 @@ void addInterface(const ContactList& list, ImpulseRecord& record, Exchange& exch
 {
     const std::vector<InterfaceImpulse>& entries = record.interface;
     const std::vector<InterfaceImpulse> here = handOver(list, entries, [&](std::size_t k) { return entries[k].impulse; }, exchange);
-    std::vector<InterfaceImpulse> rolling;
-    if (list.hasRolling) rolling = handOver(list, entries, [&](std::size_t k) { return record.interfaceRolling[k]; }, exchange);
+    std::vector<LawImpulses> ofLaws(list.laws.haveImpulses() ? here.size() : 0, noLawImpulses());
+    for (std::size_t m = 0; m < lawImpulses && list.laws.haveImpulses(); ++m)
+    {
+        const auto one = handOver(list, entries, [&](std::size_t k) { return record.interfaceOfLaws[k][m]; }, exchange);
+        for (std::size_t k = 0; k < one.size(); ++k) ofLaws[k][m] = one[k].impulse;
+    }
 
     const std::unordered_map<std::int64_t, int> number = numberById(list.ghosts);
     for (std::size_t k = 0; k < here.size(); ++k)
@@ -102,7 +106,7 @@ void addInterface(const ContactList& list, ImpulseRecord& record, Exchange& exch
         const auto ghost = number.find(here[k].id);
         if (ghost == number.end()) continue;
         record.inner.push_back({here[k].own, list.owned() + ghost->second, here[k].impulse});
-        if (!rolling.empty()) record.innerRolling.push_back(rolling[k].impulse);
+        if (!ofLaws.empty()) record.innerOfLaws.push_back(ofLaws[k]);
     }
 }
 
@@ -114,15 +118,13 @@ void forEachLoaded(const ContactList& list, bool withAttracting, const Visit& vi
     {
         const Vec3 r = impulse(list, slot);
         if (!list.isUsed(slot)) continue;
-        if (r == Vec3::Zero() && !(withAttracting && list.cohesion[slot].isActing())) continue;
+        if (r == Vec3::Zero() && !(withAttracting && list.laws.known(slot) != Vec3::Zero())) continue;
         const ContactBlock& block = list.blocks[slot/blockLanes];
         const int wall = list.wall[slot];
         const int b = wall >= 0 ? -1 - wall : list.grain(block.b[slot % blockLanes]);
         visit(slot, PairImpulse{list.grain(block.a[slot % blockLanes]), b, r});
     }
 }
-
-void setRolling(RollingSlot& slot, const Vec3& q) { std::copy_n(q.data(), 3, slot.q); }
 
 /// Of several images of a pair, the entry best aligned with normal n.
 PairImpulse* findBest(ImpulsesByBody& table, int first, int second, const Vec3& n)
@@ -140,7 +142,7 @@ PairImpulse* findBest(ImpulsesByBody& table, int first, int second, const Vec3& 
 void assignPairs(ContactList& list, const ImpulseRecord& record)
 {
     if (record.inner.empty()) return;
-    ImpulsesByBody table = groupByBody(list, record.inner, record.innerRolling);
+    ImpulsesByBody table = groupByBody(list, record.inner, record.innerOfLaws);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (!list.isUsed(slot)) continue;
@@ -152,10 +154,10 @@ void assignPairs(ContactList& list, const ImpulseRecord& record)
         PairImpulse* const best = isSwapped ? findBest(table, b, a, n) : findBest(table, a, b, n);
         if (!best) continue;
         setImpulse(list, slot, isSwapped ? Vec3(-best->impulse) : best->impulse);
-        if (list.hasRolling)
+        if (list.laws.haveImpulses())
         {
-            const Vec3& q = table.rolling[best - table.entries.data()];
-            setRolling(list.rolling[slot], isSwapped ? Vec3(-q) : q);
+            const LawImpulses& ofLaws = table.ofLaws[best - table.entries.data()];
+            list.laws.setImpulses(slot, isSwapped ? -ofLaws : ofLaws);
         }
         best->impulse.setZero();
     }
@@ -166,7 +168,7 @@ void assignPairs(ContactList& list, const ImpulseRecord& record)
 std::vector<SlotImpulse> loadedSlots(const ContactList& list)
 {
     std::vector<SlotImpulse> loaded;
-    forEachLoaded(list, !list.cohesion.empty(), [&](std::size_t slot, const PairImpulse& pair) { loaded.push_back({slot, pair}); });
+    forEachLoaded(list, true, [&](std::size_t slot, const PairImpulse& pair) { loaded.push_back({slot, pair}); });
     return loaded;
 }
 
@@ -179,8 +181,7 @@ ImpulseRecord collectImpulses(const ContactList& list)
         const int ghost = pair.b - list.owned();
         if (ghost < 0) record.inner.push_back(pair);
         else record.interface.push_back({pair.a, list.ghosts[ghost].id, pair.impulse});
-        if (!list.hasRolling) return;
-        (ghost < 0 ? record.innerRolling : record.interfaceRolling).push_back(Vec3(list.rolling[slot].q));
+        if (list.laws.haveImpulses()) (ghost < 0 ? record.innerOfLaws : record.interfaceOfLaws).push_back(list.laws.impulses(slot));
     });
     return record;
 }
@@ -188,27 +189,28 @@ ImpulseRecord collectImpulses(const ContactList& list)
 void assignImpulses(ContactList& list, ImpulseRecord record, Exchange& exchange)
 {
     // What is restored may have been stored without.
-    record.innerRolling.resize(list.hasRolling ? record.inner.size() : 0, Vec3::Zero());
-    record.interfaceRolling.resize(list.hasRolling ? record.interface.size() : 0, Vec3::Zero());
+    const bool areKept = list.laws.haveImpulses();
+    record.innerOfLaws.resize(areKept ? record.inner.size() : 0, noLawImpulses());
+    record.interfaceOfLaws.resize(areKept ? record.interface.size() : 0, noLawImpulses());
     if (exchange.isParallel()) addInterface(list, record, exchange);
     assignPairs(list, record);
 }
 
 std::vector<StoredImpulse> byIdentity(const ImpulseRecord& record, const Grains& grains)
 {
-    const auto rolling = [](const std::vector<Vec3>& values, std::size_t k) { return values.empty() ? Vec3(Vec3::Zero()) : values[k]; };
+    const auto entry = [](const std::vector<LawImpulses>& values, std::size_t k) { return values.empty() ? noLawImpulses() : values[k]; };
     std::vector<StoredImpulse> stored;
     stored.reserve(record.inner.size() + record.interface.size());
     for (std::size_t k = 0; k < record.inner.size(); ++k)
     {
-        const PairImpulse& entry = record.inner[k];
-        const std::int64_t idB = entry.b >= 0 ? grains.id[entry.b] : entry.b;
-        stored.push_back({grains.id[entry.a], idB, entry.impulse, rolling(record.innerRolling, k)});
+        const PairImpulse& pair = record.inner[k];
+        const std::int64_t idB = pair.b >= 0 ? grains.id[pair.b] : pair.b;
+        stored.push_back({grains.id[pair.a], idB, pair.impulse, entry(record.innerOfLaws, k)});
     }
     for (std::size_t k = 0; k < record.interface.size(); ++k)
     {
-        const InterfaceImpulse& entry = record.interface[k];
-        stored.push_back({grains.id[entry.own], entry.id, entry.impulse, rolling(record.interfaceRolling, k)});
+        const InterfaceImpulse& pair = record.interface[k];
+        stored.push_back({grains.id[pair.own], pair.id, pair.impulse, entry(record.interfaceOfLaws, k)});
     }
     return stored;
 }
@@ -227,7 +229,7 @@ ImpulseRecord byIndex(const std::vector<StoredImpulse>& impulses, const Grains& 
         if (hasA && (isWall || b != indexOf.end()))
         {
             record.inner.push_back({a->second, isWall ? static_cast<int>(entry.idB) : b->second, entry.impulse});
-            record.innerRolling.push_back(entry.rolling);
+            record.innerOfLaws.push_back(entry.ofLaws);
         }
         else if (hasA || b != indexOf.end())
         {
@@ -235,7 +237,7 @@ ImpulseRecord byIndex(const std::vector<StoredImpulse>& impulses, const Grains& 
             ({
                 hasA ? a->second : b->second, hasA ? entry.idB : entry.idA, hasA ? entry.impulse : Vec3(-entry.impulse)
             });
-            record.interfaceRolling.push_back(hasA ? entry.rolling : Vec3(-entry.rolling));
+            record.interfaceOfLaws.push_back(hasA ? entry.ofLaws : -entry.ofLaws);
         }
     }
     return record;

@@ -30,9 +30,9 @@ struct ImpulseRecord
 {
     std::vector<PairImpulse> inner;
     std::vector<InterfaceImpulse> interface;
-    /// Rolling impulses of the same entries (rollingFriction.hpp) [N s]; empty in scenes without.
-    std::vector<Vec3> innerRolling;
-    std::vector<Vec3> interfaceRolling;
+    /// Impulses that laws keep of the same entries, on the same bodies; empty in scenes without.
+    std::vector<LawImpulses> innerOfLaws;
+    std::vector<LawImpulses> interfaceOfLaws;
 
     bool isEmpty() const { return inner.empty() && interface.empty(); }
 };

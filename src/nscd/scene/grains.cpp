@@ -6,6 +6,7 @@
 
 #include "nscd/base/invalidValue.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nscd
@@ -52,14 +53,29 @@ double totalVolume(const Grains& grains)
     return sum;
 }
 
+std::vector<int> bodyOfGrains(const Grains& grains) { return clumpOfGrains(grains); }
+
+std::array<double, 2> massExtremes(const Grains& grains)
+{
+    std::array<double, 2> extremes = {0.0, 0.0};
+    const auto take = [&](double mass) { extremes = {std::max(extremes[0], mass), std::max(extremes[1], 1.0/mass)}; };
+    const std::vector<int> bodyOf = bodyOfGrains(grains);
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        if (!grains.isFixed[i] && (bodyOf.empty() || bodyOf[i] < 0)) take(grains.mass[i]);
+    }
+    for (std::size_t c = 0; c < grains.clumps.size(); ++c) take(grains.clumps.shapeOf(c).mass);
+    return extremes;
+}
+
 Vec3 massCenter(const Grains& grains)
 {
     Vec3 moment = Vec3::Zero();
     double mass = 0.0;
-    const std::vector<int> clumpOf = clumpOfGrains(grains);
+    const std::vector<int> bodyOf = bodyOfGrains(grains);
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
-        if (!clumpOf.empty() && clumpOf[i] >= 0) continue;
+        if (!bodyOf.empty() && bodyOf[i] >= 0) continue;
         moment += grains.mass[i]*grains.position[i];
         mass += grains.mass[i];
     }
@@ -75,10 +91,10 @@ double kineticEnergy(const Grains& grains)
 {
     const double kappa = grains.shape.inertiaFactor();
     double sum = 0.0;
-    const std::vector<int> clumpOf = clumpOfGrains(grains);
+    const std::vector<int> bodyOf = bodyOfGrains(grains);
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
-        if (!clumpOf.empty() && clumpOf[i] >= 0) continue;
+        if (!bodyOf.empty() && bodyOf[i] >= 0) continue;
         const double spin2 = kappa*grains.radius[i]*grains.radius[i]*grains.omega[i].squaredNorm();
         sum += 0.5*grains.mass[i]*(grains.velocity[i].squaredNorm() + spin2);
     }

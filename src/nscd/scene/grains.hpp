@@ -7,6 +7,7 @@
 #include "nscd/base/vec3.hpp"
 #include "nscd/scene/clumps.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -80,6 +81,12 @@ void Grains::forEachArray(const Change& change)
 
 /// Sum of all owned grains' volume [m3].
 double totalVolume(const Grains& grains);
+
+/// The rigid body that each grain is a part of, -1: it is one itself; empty where all are.
+std::vector<int> bodyOfGrains(const Grains& grains);
+
+/// Of all bodies that move, the largest mass [kg] and the largest inverse of one [1/kg]; zeros when none does.
+std::array<double, 2> massExtremes(const Grains& grains);
 
 /// Center of mass of the owned grains [m]; zero when there are none.
 Vec3 massCenter(const Grains& grains);

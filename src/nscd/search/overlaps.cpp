@@ -90,10 +90,10 @@ std::vector<Overlap> grainOverlaps(const Grains& grains, const PeriodicBox& box,
     std::vector<Overlap> found;
     if (grains.size() == 0) return found;
     const double maxRadius = *std::max_element(grains.radius.begin(), grains.radius.end());
-    const std::vector<int> clumpOf = clumpOfGrains(grains);
+    const std::vector<int> bodyOf = bodyOfGrains(grains);
     for (const BodyPair& pair : findPairs(grains.position, grains.radius, box, maxRadius))
     {
-        if (!clumpOf.empty() && clumpOf[pair.a] >= 0 && clumpOf[pair.a] == clumpOf[pair.b]) continue;
+        if (!bodyOf.empty() && bodyOf[pair.a] >= 0 && bodyOf[pair.a] == bodyOf[pair.b]) continue;
         Vec3 difference = grains.position[pair.a] - grains.position[pair.b];
         for (int k = 0; k < 3; ++k) difference[k] -= pair.image[k]*box.length[k];
         const double ra = grains.radius[pair.a];

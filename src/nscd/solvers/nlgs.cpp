@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Nonlinear Gauss-Seidel (Algorithm 2 of the method): sweeps over all contacts, warm started, with help when slow.
+#include "nscd/solvers/contactSolver.hpp"
 #include "nscd/solvers/direct/directHelp.hpp"
 #include "nscd/solvers/help/loneDefects.hpp"
 #include "nscd/solvers/help/packedContacts.hpp"
@@ -27,6 +28,8 @@ public:
         slowSolve_(problem, strategy_),
         direct_(problem, settings)
     {}
+
+    DefectSums pass() { return sweepActive(problem_, slowSolve_.forNextSweep()); }
 
     int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule)
     {
@@ -68,7 +71,7 @@ private:
 SolveReport sweepWithHelp(ContactProblem& problem, const ContactSettings& settings)
 {
     NlgsHelp help(problem, settings);
-    return sweepUntilMet(problem, settings, sweepActive, help);
+    return sweepUntilMet(problem, settings, help);
 }
 
 } // namespace

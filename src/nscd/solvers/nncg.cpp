@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Nonlinear conjugate gradients around Gauss-Seidel sweeps, as a solver behind the common signature.
+#include "nscd/solvers/contactSolver.hpp"
 #include "nscd/solvers/help/andersonAcceleration.hpp"
 #include "nscd/solvers/sweepLoop.hpp"
 
@@ -20,6 +21,8 @@ class ConjugateDirections
 {
 public:
     explicit ConjugateDirections(ContactProblem& problem) : problem_(problem) { forget(); }
+
+    DefectSums pass() { return sweepActive(problem_); }
 
     int afterSweep(int, const DefectSums&, const StopRule&)
     {
@@ -103,7 +106,7 @@ SolveReport solveNncg(ContactProblem& problem, const ContactSettings& settings)
 {
     if (!problem.halo.any(!problem.blocks.empty())) return SolveReport();
     ConjugateDirections directions(problem);
-    return sweepUntilMet(problem, settings, sweepActive, directions);
+    return sweepUntilMet(problem, settings, directions);
 }
 
 } // namespace nscd

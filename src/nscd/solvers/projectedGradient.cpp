@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Accelerated projected gradient, as a solver behind the common signature: all contacts at once, whatever their order.
+#include "nscd/solvers/contactSolver.hpp"
 #include "nscd/solvers/help/andersonAcceleration.hpp"
-#include "nscd/solvers/localContact.hpp"
+#include "nscd/solvers/problem/localContact.hpp"
 #include "nscd/solvers/sweepLoop.hpp"
 
 #include <algorithm>
@@ -27,6 +28,8 @@ public:
         gatherImpulses(problem_.blocks, problem_.active(), previous_);
         target_.resize(previous_.size());
     }
+
+    DefectSums pass() { return residual(problem_); }
 
     int afterSweep(int, const DefectSums&, const StopRule&)
     {
@@ -109,7 +112,7 @@ SolveReport solveProjectedGradient(ContactProblem& problem, const ContactSetting
     problem.awake.resize(problem.blocks.size() - problem.firstBlock);
     std::iota(problem.awake.begin(), problem.awake.end(), static_cast<std::uint32_t>(problem.firstBlock));
     ProjectedGradient gradient(problem);
-    return sweepUntilMet(problem, settings, residual, gradient);
+    return sweepUntilMet(problem, settings, gradient);
 }
 
 } // namespace nscd

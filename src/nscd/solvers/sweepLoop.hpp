@@ -19,7 +19,7 @@ inline bool isWakingDue(int sweeps, const ContactProblem& problem)
     const bool isPowerOfTwo = (sweeps & (sweeps - 1)) == 0, isPowerOfFour = isPowerOfTwo && sweeps % 3 == 1;
     if (sweeps % 64 == 0) return true;
     // 588 000 visits of blocks in a collapse; after 1, 4, 8, 16, 24, 32 sweeps 608 000, after 8 and 24 615 000.
-    if (problem.isPacked) return isPowerOfTwo && sweeps >= 8;
+    if (problem.leftOut) return isPowerOfTwo && sweeps >= 8;
     return problem.isFlowing() ? isPowerOfFour : isPowerOfTwo;
 }
 
@@ -44,13 +44,13 @@ private:
     double share_;  ///< of the rms that a sweep meets, what it leaves
 };
 
-/// Repeats `pass`, which returns the defects it met, until the rule is met and the solution polished, or maxSweeps.
-/// `help` acts between passes: int afterSweep(sweeps, sums, rule) returns the work it did, in sweeps; forget() is called when
+/// Repeats passes until the rule is met and the solution polished, or maxSweeps.
+/// `help` makes them and acts between them: DefectSums pass() returns the defects it met; int afterSweep(sweeps, sums, rule) returns the work it did, in sweeps; forget() is called when
 /// blocks woke up; polish(sums, rule) tells whether a solution that meets the rule is polished, or now is; complete(report, rule) with
 /// each solution that may be the last one.
 /// Errors: std::runtime_error for a velocity that is not finite
 template<class Help>
-SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settings, DefectSums (*pass)(ContactProblem&), Help& help)
+SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settings, Help& help)
 {
     SolveReport report;
     StopRule rule{};
@@ -64,7 +64,7 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
     };
     while (report.sweeps < settings.maxSweeps)
     {
-        const DefectSums sums = pass(problem);
+        const DefectSums sums = help.pass();
         if (!std::isfinite(sums.sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
         if (++report.sweeps == 1) rule = makeStopRule(problem, settings, sums);
         const bool isMet = rule.isMet(sums);

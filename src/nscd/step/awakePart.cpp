@@ -24,8 +24,7 @@ void copySlot(const ContactList& from, std::size_t source, ContactList& to, std:
     for (int k = 0; k < 3; ++k) block.n[k][target % blockLanes] = n[k];
     setImpulse(to, target, impulse(from, source));
     to.gap[target] = from.gap[source];
-    if (!to.rolling.empty()) to.rolling[target] = from.rolling[source];
-    if (!to.cohesion.empty()) to.cohesion[target] = from.cohesion[source];
+    if (!to.laws.empty()) to.laws.copy(from.laws, source, target);
 }
 
 void add(std::vector<Vec3>& sum, const std::vector<Vec3>& more, double factor)
@@ -152,7 +151,7 @@ void AwakePart::packSlots(ContactList& part, const Scene& scene, const std::vect
 ContactList AwakePart::cut(ContactForceSum& sumForces, const Scene& scene, const GrainSleep& sleep, double diameter, double deltaT)
 {
     ContactList part;
-    part.hasRolling = whole_.hasRolling;
+    part.laws = ListLaws(scene.materials);
     part.pathTime = whole_.pathTime;
     part.age = whole_.age;
     const std::vector<std::uint32_t> slots = slotsOfAwake(sleep);
@@ -175,7 +174,7 @@ ContactList AwakePart::cut(ContactForceSum& sumForces, const Scene& scene, const
         outside_.force[body].setZero();  // what is left is round-off: all contacts of an awake grain are in the part
         outside_.torque[body].setZero();
     }
-    markBonds(part);
+    part.laws.beginStep(part);
     return part;
 }
 
@@ -184,7 +183,7 @@ std::vector<AwakePart::Impulse> AwakePart::impulses(const ContactList& part) con
     std::vector<Impulse> found;
     forEachSlot(part, [&](std::size_t slot, std::uint32_t inWhole)
     {
-        found.push_back({inWhole, impulse(part, slot), part.rolling.empty() ? RollingSlot() : part.rolling[slot]});
+        found.push_back({inWhole, impulse(part, slot), part.laws.impulses(slot)});
     });
     return found;
 }
@@ -197,7 +196,7 @@ void AwakePart::setImpulses(const std::vector<Impulse>& impulses, bool isPart, C
     {
         const std::size_t slot = isPart ? place[entry.slot] : entry.slot;
         setImpulse(list, slot, entry.r);
-        if (!list.rolling.empty()) list.rolling[slot] = entry.rolling;
+        list.laws.setImpulses(slot, entry.ofLaws);
     }
 }
 

@@ -30,7 +30,7 @@ public:
     {
         std::uint32_t slot;
         Vec3 r;
-        RollingSlot rolling;
+        LawImpulses ofLaws;
     };
     std::vector<Impulse> impulses(const ContactList& part) const;
     /// Gives these to the part that is in use, or to the whole where it is no longer held.

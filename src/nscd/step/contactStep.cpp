@@ -6,9 +6,10 @@
 
 #include "nscd/base/freeRotation.hpp"
 #include "nscd/base/invalidValue.hpp"
+#include "nscd/contacts/generalSlots.hpp"
 #include "nscd/contacts/wallForce.hpp"
 #include "nscd/kernels/blockPrefetch.hpp"
-#include "nscd/step/clumpMotion.hpp"
+#include "nscd/step/generalMotion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -92,16 +93,16 @@ void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT,
 {
     const LawOfStep law{deltaT, deadBand, unreachable};
     list.awake.clear();
-    const std::size_t blocks = list.clumps.empty() ? list.blocks.size() : list.clumps.firstBlock;
+    const std::size_t blocks = list.general.empty() ? list.blocks.size() : list.general.firstBlock;
     for (std::size_t k = 0; k < blocks; ++k)
     {
         prefetch(list.bodies.data(), list.blocks.data(), {nullptr, blocks}, k);
         if (kernels.setLaws(list.bodies.data(), list.blocks[k], &list.gap[k*blockLanes], law)) list.awake.push_back(static_cast<std::uint32_t>(k));
     }
-    if (!list.cohesion.empty()) applyCohesion(list, deltaT, deadBand);
+    list.laws.giveKnown(list, deltaT, deadBand);
     kernels.startWarm(list.bodies.data(), list.blocks.data(), {list.awake.data(), list.awake.size()}, impulseScale);
-    if (!list.rolling.empty()) startRolling(list, impulseScale);
-    if (!list.clumps.empty()) prepareClumpSlots(list, deltaT, deadBand, unreachable, impulseScale);
+    list.laws.startWarm(list, impulseScale);
+    if (!list.general.empty()) prepareGeneralSlots(list, deltaT, deadBand, unreachable, impulseScale);
     list.halo.takeVelocities(list.bodies);
 }
 
@@ -128,8 +129,8 @@ ContactForces& ContactForceSum::operator()(const ContactList& list, BlockRange l
     {
         if (list.wall[slot] >= 0) addWallForce(list, scene, slot, impulse(list, slot)/deltaT, wall);
     }
-    if (!list.cohesion.empty()) addCohesionForces(list, scene, deltaT, force, wall);
-    if (!list.rolling.empty()) addRollingTorques(list, scene, deltaT, torque, wall);
+    ContactSums sums{force, torque, wall};
+    list.laws.addForces(list, scene, deltaT, sums);
     list.halo.take(force);
     list.halo.take(torque);
     if (!wall.empty()) list.halo.sum(wall.front().data(), 3*static_cast<int>(wall.size()));
@@ -175,7 +176,7 @@ void copyVelocities(const ContactList& list, Grains& grains)
         grains.velocity[i] = Vec3(list.bodies[body].v);
         grains.omega[i] = Vec3(list.bodies[body].s)/list.radius[body];
     }
-    if (!list.clumps.empty()) copyClumpVelocities(list, grains.clumps);
+    if (!list.general.empty()) copyGeneralVelocities(list, grains);
 }
 
 double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, double deltaT, bool isRotating)
@@ -194,7 +195,7 @@ double moveGrains(ContactList& list, Grains& grains, const PeriodicBox& box, dou
         const Vec3 turn = deltaT*Vec3(list.bodies[body].s)/list.radius[body];
         if (turn != Vec3::Zero()) grains.orientation[i] = (rotationBy(turn)*grains.orientation[i]).normalized();
     }
-    if (!list.clumps.empty()) moveClumps(list, grains, box, deltaT);
+    if (!list.general.empty()) moveGeneral(list, grains, box, deltaT);
     list.halo.give(list.position);
     return std::sqrt(list.halo.max(largest2));
 }

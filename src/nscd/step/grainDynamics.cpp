@@ -8,7 +8,8 @@
 #include "nscd/base/stopwatch.hpp"
 #include "nscd/contacts/contactGeometry.hpp"
 #include "nscd/solvers/help/isolatedPairs.hpp"
-#include "nscd/step/clumpCorrection.hpp"
+#include "nscd/step/generalCorrection.hpp"
+#include "nscd/step/listPlan.hpp"
 #include "nscd/step/overlapCorrection.hpp"
 #include "nscd/step/sweptPairs.hpp"
 
@@ -24,15 +25,6 @@ namespace
 {
 
 constexpr int maxListRebuilds = 6;
-/// What a blow may change a grain's velocity by, in the largest difference between its velocity and those of the candidates it may meet: what a heavy
-/// one does to it at once.
-constexpr double blow = 1.0;
-/// Candidates that pass at more than this [d] give no blows: fast grains and those around them would make each other candidates without end (rain on a bed:
-/// 80 a grain in place of 21). With a quarter of it a collapse needs two lists in place of one.
-constexpr double widestMiss = 1.0;
-/// Steps that grains are expected to move on as they do. In a collapse lists cost 9 ms a step with 4; with 2 and 3 steps 16 and 13, and 5 gain nothing. Where
-/// grains hit each other at speed, as in rain on a bed, one list for that long holds more candidates than two for half of it.
-constexpr double mostStepsOfPaths = 4.0, fewestStepsOfPaths = 1.5, widestScatter = 0.5;
 
 void checkLength(const char* name, std::size_t length, std::size_t grains)
 {
@@ -48,46 +40,6 @@ void checkForces(const ExternalForces& external, std::size_t grains)
     if (!(external.speedScale >= 0.0) || !std::isfinite(external.speedScale)) throw invalidValue("speed scale", external.speedScale, "a finite value >= 0 m/s");
 }
 
-/// Of each grain: the speed at which a blow of one that passes within `miss` [m] in a time may throw it off its path. Two bodies on straight paths
-/// come no nearer than along their present normal.
-std::vector<double> speedsOfBlows(const ContactList& list, const std::vector<Vec3>& velocity, double time, double miss)
-{
-    std::vector<Vec3> ofBody(list.owned());
-    for (int body = 0; body < list.owned(); ++body) ofBody[body] = velocity[list.grainOf[body]];
-    std::vector<double> relative2(list.owned(), 0.0);
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
-    {
-        const ContactBlock& block = list.blocks[slot/blockLanes];
-        const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
-        if (b >= list.owned()) continue;
-        const Vec3 u = ofBody[a] - ofBody[b];
-        if (list.gap[slot] + time*normal(list, slot).dot(u) > miss) continue;
-        const double speed2 = u.squaredNorm();
-        relative2[a] = std::max(relative2[a], speed2);
-        relative2[b] = std::max(relative2[b], speed2);
-    }
-    std::vector<double> speed(list.owned());
-    for (int body = 0; body < list.owned(); ++body) speed[list.grainOf[body]] = blow*std::sqrt(relative2[body]);
-    return speed;
-}
-
-/// Steps for which blows throw grains off their paths by widestScatter d in the mean (rms), within limits.
-double stepsOfPaths(const std::vector<double>& blows, double diameter, double deltaT)
-{
-    double squares = 0.0;
-    for (double speed : blows) squares += speed*speed;
-    const double scatter = deltaT*std::sqrt(squares/std::max<double>(1.0, static_cast<double>(blows.size())));
-    return mostStepsOfPaths*scatter <= widestScatter*diameter ? mostStepsOfPaths : std::max(fewestStepsOfPaths, widestScatter*diameter/scatter);
-}
-
-/// Of each grain: its speed, or the common one: a slow grain may be hit, and be as fast as the others at the end of the step.
-std::vector<double> speedsOrCommon(const std::vector<Vec3>& velocity, double common)
-{
-    std::vector<double> speed;
-    for (const Vec3& v : velocity) speed.push_back(std::max(v.norm(), common));
-    return speed;
-}
-
 } // namespace
 
 void GrainDynamics::Implementation::measureGrains()
@@ -96,16 +48,8 @@ void GrainDynamics::Implementation::measureGrains()
     exchange->sum(sums, 2);
     if (sums[1] > 0.0) diameter = sums[0]/sums[1];
 
-    double extremes[2] = {0.0, 0.0};
-    const std::vector<int> clumpOf = clumpOfGrains(grains);
-    for (std::size_t i = 0; i < grains.size(); ++i)
-    {
-        if (grains.isFixed[i] || (!clumpOf.empty() && clumpOf[i] >= 0)) continue;
-        extremes[0] = std::max(extremes[0], grains.mass[i]);
-        extremes[1] = std::max(extremes[1], 1.0/grains.mass[i]);
-    }
-    measureClumps(grains.clumps, extremes);
-    exchange->max(extremes, 2);
+    std::array<double, 2> extremes = massExtremes(grains);
+    exchange->max(extremes.data(), 2);
     massRatio = extremes[0]*extremes[1];
 }
 
@@ -129,10 +73,10 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
 {
     const Stopwatch watch(times.findPairs);
     const bool areSomeAsleep = sleep.any();
-    // Within a step bonds are those of its start, whatever a solve has made of them since.
-    const bool isWithinStep = isStepBegun && !list.cohesion.empty() && !areSomeAsleep;
-    // The attraction of the last step, which belongs to the forces on sleepers, is lost with a list.
-    if (areSomeAsleep && !list.cohesion.empty()) wakeAll();
+    // Within a step laws act by the impulses at its start, whatever a solve has made of them since.
+    const bool isWithinStep = isStepBegun && list.laws.areOfStart() && !areSomeAsleep;
+    // What such laws did in the last step, which belongs to the forces on sleepers, is lost with a list.
+    if (areSomeAsleep && list.laws.areOfStart()) wakeAll();
     else if (areSomeAsleep) list = awakePart.release();
     ImpulseRecord impulses = isListStale ? std::move(restored) : isWithinStep ? beforeStep : collectImpulses(list);
     restored = ImpulseRecord();
@@ -144,29 +88,17 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     if (!std::isfinite(commonSpeed)) throw invalidValue("rms speed of grains", commonSpeed, "a finite value [m/s]");
     // Over many steps grains do not fly straight; and pairs on two ranks are listed by reach alone, so that longer ones would cost more there.
     const bool areExpected = isStraight && !isListStale && stepsPerList == fewestStepsPerList && !exchange->isParallel();
-    ExpectedMotion expected;
-    std::vector<double> speed;
-    if (areExpected)
-    {
-        speed = speedsOfBlows(list, velocity, mostStepsOfPaths*deltaT, widestMiss*diameter);
-        expected.time = stepsOfPaths(speed, diameter, deltaT)*deltaT;
-        expected.velocity = velocity;
-        for (std::size_t i = 0; i < speed.size(); ++i) speed[i] += velocity[i].norm();
-    }
-    else
-    {
-        speed = speedsOrCommon(velocity, commonSpeed);
-        expected.time = stepsPerList*deltaT;
-    }
+    ListPlan plan = areExpected ? planByPaths(list, velocity, diameter, deltaT) : planBySpeeds(velocity, commonSpeed, stepsPerList*deltaT);
+    const double always = rangeOfLaws(materials) + 0.5*settings.skin*diameter;
     std::vector<double> reach(grains.size());
-    for (std::size_t i = 0; i < grains.size(); ++i) reach[i] = materials.cohesionRange() + 0.5*settings.skin*diameter + expected.time*speed[i];
+    for (std::size_t i = 0; i < grains.size(); ++i) reach[i] = always + plan.expected.time*plan.speed[i];
     makeWallSearch();
     std::vector<WallReach> wallReach = movingWalls.reach(*wallSearch, grains, reach, diameter);
-    list = buildContactList(scene(), *wallSearch, reach, std::move(wallReach), diameter, *exchange, std::move(list), expected);
+    list = buildContactList(scene(), *wallSearch, reach, std::move(wallReach), diameter, *exchange, std::move(list), plan.expected);
     updateGeometry(list, scene());
     findFastPairs(list);
     assignImpulses(list, std::move(impulses), *exchange);
-    markBonds(list);
+    list.laws.beginStep(list);
     isListStale = false;
     isListNew = true;
     fitStepsPerList();
@@ -188,12 +120,26 @@ void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
 {
     const Stopwatch watch(times.buildContacts);
     setFreeVelocities(list, grains, external, deltaT, sleep);
-    if (!list.clumps.empty()) setFreeClumps(list, grains, external, deltaT);
+    if (!list.general.empty()) setFreeGeneral(list, grains, external, deltaT);
     movingWalls.setVelocities(list, box, grains.shape.emptyAxis);
     if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
     chooseKernelsOfStep();
     prepareSlots(list, kernelsOfStep, deltaT, deadBand(), impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0);
     impulseDeltaT = deltaT;
+}
+
+ContactProblem GrainDynamics::Implementation::makeProblem(double speedScale)
+{
+    ContactProblem problem
+    {
+        list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernelsOfStep, isFrictional, deltaT, speedScale, diameter,
+        list.position
+    };
+    problem.massRatio = massRatio;
+    problem.laws = list.laws.areSwept() ? &list.laws : nullptr;
+    problem.general = list.general.empty() ? nullptr : &list.general;
+    problem.packing = &packing;
+    return problem;
 }
 
 SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external)
@@ -203,7 +149,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
     const SolveReport report = solveBesideIsolated(problem, settings.strategy.isolatedPairs ? list.isolatedBlocks : 0, capGuard.apply(settings), solve);
-    if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
+    if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     return report;
 }
 
@@ -232,9 +178,9 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
     const double tolerance = settings.overlapTolerance*diameter;
     if (overlap.deepest > tolerance)
     {
-        report.correctionSweeps = list.clumps.empty()
+        report.correctionSweeps = list.general.empty()
             ? correctOverlaps(list, scene(), overlap.deepest, tolerance, deadBand())
-            : correctClumpOverlaps(list, grains, scene(), overlap.deepest, tolerance, deadBand());
+            : correctGeneralOverlaps(list, grains, scene(), overlap.deepest, tolerance, deadBand());
         for (int body = 0; body < list.owned(); ++body) grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
         overlap = measureOverlap(list);
     }
@@ -267,8 +213,8 @@ void GrainDynamics::Implementation::beginAwakeStep(bool haveWallsJumped)
     else if (haveWallsJumped) updateGeometry(list, scene());
     if (isStepBegun) return;
     isStepBegun = true;
-    markBonds(list);
-    if (!sleep.any()) beforeStep = list.cohesion.empty() ? ImpulseRecord() : collectImpulses(list);
+    list.laws.beginStep(list);
+    if (!sleep.any()) beforeStep = list.laws.areOfStart() ? collectImpulses(list) : ImpulseRecord();
 }
 
 void GrainDynamics::beginStep(double deltaT)
@@ -308,9 +254,10 @@ Prediction GrainDynamics::tryForces(const ExternalForces& external)
     Prediction prediction = predict(external);
     for (std::size_t slot = 0; slot < self_->list.slots(); ++slot)
     {
-        if (self_->list.isUsed(slot)) setImpulse(self_->list, slot, Vec3::Zero());
+        if (!self_->list.isUsed(slot)) continue;
+        setImpulse(self_->list, slot, Vec3::Zero());
+        self_->list.laws.setImpulses(slot, noLawImpulses());
     }
-    for (RollingSlot& slot : self_->list.rolling) std::fill_n(slot.q, 3, 0.0);
     assignImpulses(self_->list, std::move(impulses), *self_->exchange);
     return prediction;
 }

@@ -37,8 +37,8 @@ struct LoadedContact
     Vec3 normal;   ///< unit, from b to a, at the present positions
     double gap;    ///< [m], at the present positions; negative: overlap
     Vec3 impulse;  ///< on a [N s], of the motion of the last step, attraction included
-    Vec3 attraction = Vec3::Zero();  ///< what cohesion has in it [N s]
-    Vec3 moment = Vec3::Zero();      ///< of rolling and spinning friction on a [N m s]; that of `impulse` comes on top
+    Vec3 attraction = Vec3::Zero();  ///< what laws that are known beforehand have in it [N s]
+    Vec3 moment = Vec3::Zero();      ///< of laws beside Coulomb's on a [N m s]; that of `impulse` comes on top
 };
 
 /// Rigid grains with unilateral frictional contact, advanced one step at a time.
@@ -89,7 +89,7 @@ public:
 
     /// Net contact force on each grain over the last step [N].
     const std::vector<Vec3>& contactForce() const;
-    /// Net contact torque on each grain over the last step, of forces and of rolling and spinning friction [N m].
+    /// Net contact torque on each grain over the last step, of forces and of moments that laws beside Coulomb's give [N m].
     const std::vector<Vec3>& contactTorque() const;
     /// Force of the grains on each wall patch over the last step [N].
     const std::vector<Vec3>& wallForce() const;

@@ -11,8 +11,8 @@
 #include "nscd/solvers/help/capGuard.hpp"
 #include "nscd/solvers/help/packedContacts.hpp"
 #include "nscd/step/awakePart.hpp"
-#include "nscd/step/clumpMotion.hpp"
 #include "nscd/step/contactStep.hpp"
+#include "nscd/step/generalMotion.hpp"
 #include "nscd/step/grainDynamics.hpp"
 #include "nscd/step/shockWork.hpp"
 
@@ -55,21 +55,13 @@ struct GrainDynamics::Implementation
     PackedContacts packing;
     StepReport lastReport;
     bool isStepBegun = false;
-    ImpulseRecord beforeStep;     // kept where there is cohesion
+    ImpulseRecord beforeStep;     // kept where laws act by it
     ContactForces forces;
     ContactForceSum sumForces;
     StepTimes times;
 
     Scene scene() const { return {grains, materials, walls, box}; }
-    ContactProblem makeProblem(double speedScale)
-    {
-        return
-        {
-            list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernelsOfStep, isFrictional, deltaT, speedScale, diameter,
-            list.position, 1.0, list.rolling.empty() ? nullptr : &list.rolling, massRatio,
-            0, list.clumps.empty() ? nullptr : &list.clumps, &packing
-        };
-    }
+    ContactProblem makeProblem(double speedScale);
     /// Blocks that may carry impulses.
     BlockRange loaded() const { return {list.awake.data(), list.awake.size()}; }
     /// On the bodies of the list and on walls; until the next call.
@@ -79,7 +71,7 @@ struct GrainDynamics::Implementation
     }
     const ContactList& wholeList() const { return sleep.any() ? awakePart.whole() : list; }
     bool isEverybodyAsleep() const { return sleep.any() && awakePart.isEmpty(); }
-    bool maySleep() const { return settings.sleep && !exchange->isParallel() && grains.clumps.empty(); }
+    bool maySleep() const { return settings.sleep && !exchange->isParallel() && list.general.empty(); }
     double deadBand() const { return settings.deadBand*diameter; }
 
     void measureGrains();

@@ -17,9 +17,9 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
 {
     Shock inelastic;
     inelastic.bodies = list.bodies;
-    inelastic.clumps = list.clumps.bodies;
+    inelastic.general = list.general.bodies;
     setFreeVelocities(list, grains, external, deltaT, sleep);
-    if (!list.clumps.empty()) mirrorFreeClumps(list, list.bodies);
+    if (!list.general.empty()) mirrorFreeGeneral(list, list.bodies);
     const std::vector<Body> freeBodies = std::move(list.bodies);
     list.bodies = inelastic.bodies;
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
@@ -27,12 +27,13 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
 
     ContactProblem problem = makeProblem(external.speedScale);
     gatherImpulses(list.blocks, {nullptr, list.blocks.size()}, inelastic.impulses);
-    inelastic.rolling = list.rolling;
+    inelastic.ofLaws.clear();
+    for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) inelastic.ofLaws.push_back(list.laws.impulses(slot));
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = capGuard.apply(settings);
     shockSettings.displacementTolerance = 1.0;
     const SolveReport shock = solveBesideIsolated(problem, settings.strategy.isolatedPairs ? list.isolatedBlocks : 0, shockSettings, solve);
-    if (!list.clumps.empty()) takeClumpVelocities(list, grains.shape);
+    if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     report = worstOf(shock, report);
     if (sleep.any() && !sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty())
     {
@@ -56,7 +57,7 @@ void GrainDynamics::Implementation::restoreImpulses(const Shock& inelastic)
     {
         std::copy_n(inelastic.impulses.begin() + static_cast<std::ptrdiff_t>(3*blockLanes*k), 3*blockLanes, &list.blocks[k].r[0][0]);
     }
-    list.rolling = inelastic.rolling;
+    for (std::size_t slot = 0; slot < inelastic.ofLaws.size(); ++slot) list.laws.setImpulses(slot, inelastic.ofLaws[slot]);
 }
 
 void GrainDynamics::Implementation::limitWork

@@ -26,8 +26,8 @@ void GrainDynamics::Implementation::giveUpSleep()
 {
     list = awakePart.release();
     sleep = GrainSleep();
-    // As at the start of the step, bonds with them.
-    if (!list.cohesion.empty()) beforeStep = collectImpulses(list);
+    // As at the start of the step.
+    if (list.laws.areOfStart()) beforeStep = collectImpulses(list);
 }
 
 void GrainDynamics::Implementation::wake(const std::vector<int>& sleepers)

@@ -21,12 +21,13 @@ namespace
 constexpr double fewCandidates = 0.5, manyCandidates = 2.0;
 constexpr double mostStepsPerList = 64.0;
 
-void refuseBesideClumps(const Exchange& exchange, const ContactSettings& settings, const Materials& materials)
+void refuseBesideLaws(const ContactSettings& settings, const Materials& materials)
 {
-    if (exchange.isParallel()) throw invalidValue("number of ranks", "more than one", "one where there are clumps");
-    if (settings.solver != "NLGS") throw invalidValue("contact solver", settings.solver, "NLGS where there are clumps");
-    if (materials.anyRolling()) throw invalidValue("rolling or spinning friction", "set", "none where there are clumps");
-    if (materials.anyCohesion()) throw invalidValue("cohesion", "set", "none where there are clumps");
+    for (const ContactLawRow* law : lawsInUse(materials))
+    {
+        if (!law->isSwept || settings.solver == "NLGS") continue;
+        throw invalidValue("contact solver", settings.solver, "NLGS where there is " + std::string(law->words));
+    }
 }
 
 } // namespace
@@ -75,14 +76,10 @@ GrainDynamics::GrainDynamics
     }
     self_->solve = solver.solve;
     self_->kernels = chooseKernels(settings.vectorPath.c_str());
-    if (settings.solver != "NLGS" && self_->materials.anyRolling())
-    {
-        throw invalidValue("contact solver", settings.solver, "NLGS where there is rolling or spinning friction");
-    }
-    checkClumps(self_->grains, self_->box);
-    if (!self_->grains.clumps.empty()) refuseBesideClumps(*self_->exchange, settings, self_->materials);
+    refuseBesideLaws(settings, self_->materials);
+    checkGeneralBodies(self_->grains, self_->box, *self_->exchange, settings, self_->materials);
     // Whatever acts on spins.
-    self_->isFrictional = self_->materials.anyFriction() || self_->materials.anyRolling();
+    self_->isFrictional = actsOnSpins(self_->materials);
     if (!self_->isFrictional) self_->kernels = normalOnly(self_->kernels);
     self_->sumForces = ContactForceSum(self_->kernels);
     self_->measureGrains();
@@ -96,8 +93,7 @@ const Grains& GrainDynamics::grains() const { return self_->grains; }
 void GrainDynamics::setGrains(Grains grains)
 {
     checkGrains(grains, self_->materials, self_->walls);
-    checkClumps(grains, self_->box);
-    if (!grains.clumps.empty()) refuseBesideClumps(*self_->exchange, self_->settings, self_->materials);
+    checkGeneralBodies(grains, self_->box, *self_->exchange, self_->settings, self_->materials);
     double lastDeltaT;
     const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
     self_->grains = std::move(grains);
@@ -159,12 +155,11 @@ std::vector<LoadedContact> GrainDynamics::contacts() const
         const ContactBlock& block = list.blocks[entry.slot/blockLanes];
         const int lane = entry.slot % blockLanes;
         const std::int64_t idB = entry.pair.b < 0 ? entry.pair.b : list.id[block.b[lane]];
-        const Vec3 pull = list.cohesion.empty() ? Vec3(Vec3::Zero()) : Vec3(list.cohesion[entry.slot].attraction);
-        const Vec3 moment = list.hasRolling ? rollingMoment(list, entry.slot) : Vec3(Vec3::Zero());
+        const Vec3 known = list.laws.known(entry.slot);
         loaded.push_back
         ({
             entry.pair.a, entry.pair.b, list.id[block.a[lane]], idB, normal(list, entry.slot), list.gap[entry.slot],
-            entry.pair.impulse + pull, pull, moment
+            entry.pair.impulse + known, known, list.laws.moment(list, entry.slot)
         });
     }
     return loaded;
@@ -191,7 +186,8 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     if (!(lastDeltaT >= 0.0) || !std::isfinite(lastDeltaT)) throw invalidValue("length of the last step", lastDeltaT, "a finite value >= 0 s");
     for (const StoredImpulse& stored : impulses)
     {
-        if (stored.impulse.allFinite() && stored.rolling.allFinite()) continue;
+        const auto isFinite = [](const Vec3& impulse) { return impulse.allFinite(); };
+        if (stored.impulse.allFinite() && std::all_of(stored.ofLaws.begin(), stored.ofLaws.end(), isFinite)) continue;
         throw invalidValue("stored impulse of grain " + std::to_string(stored.idA), "not finite", "finite components [N s]");
     }
     self.restored = byIndex(impulses, self.grains);

@@ -31,12 +31,12 @@ void shrink(ContactList& list, const Shock& target, double share)
             blend(list.bodies[i].s[k], target.bodies[i].s[k]);
         }
     }
-    for (std::size_t c = 0; c < list.clumps.bodies.size(); ++c)
+    for (std::size_t c = 0; c < list.general.bodies.size(); ++c)
     {
         for (int k = 0; k < 3; ++k)
         {
-            blend(list.clumps.bodies[c].v[k], target.clumps[c].v[k]);
-            blend(list.clumps.bodies[c].omega[k], target.clumps[c].omega[k]);
+            blend(list.general.bodies[c].v[k], target.general[c].v[k]);
+            blend(list.general.bodies[c].omega[k], target.general[c].omega[k]);
         }
     }
     constexpr std::size_t values = 3*blockLanes;
@@ -45,9 +45,12 @@ void shrink(ContactList& list, const Shock& target, double share)
         auto& r = (&list.blocks[k/values].r[0][0])[k % values];
         r = target.impulses[k] + share*(r - target.impulses[k]);
     }
-    for (std::size_t k = 0; k < list.rolling.size(); ++k)
+    for (std::size_t slot = 0; slot < target.ofLaws.size(); ++slot)
     {
-        for (int axis = 0; axis < 3; ++axis) blend(list.rolling[k].q[axis], target.rolling[k].q[axis]);
+        LawImpulses impulses = list.laws.impulses(slot);
+        for (std::size_t m = 0; m < lawImpulses; ++m)
+        for (int axis = 0; axis < 3; ++axis) blend(impulses[m][axis], target.ofLaws[slot][m][axis]);
+        list.laws.setImpulses(slot, impulses);
     }
 }
 

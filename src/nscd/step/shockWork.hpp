@@ -21,12 +21,12 @@ struct Shock
 {
     std::vector<Body> bodies;
     AndersonAcceleration::Impulses impulses;
-    RollingSlots rolling;
-    std::vector<ClumpBody> clumps;
+    std::vector<LawImpulses> ofLaws;   ///< empty where no law keeps any
+    std::vector<GeneralBody> general;
 };
 
 /// Work of the impulses in the list, from the velocities without them to the present ones, over all ranks.
-/// Equation: sum r.(u^- + u)/2, u relative to walls that move. Rolling friction, which only takes, is left out. Newton's law with one
+/// Equation: sum r.(u^- + u)/2, u relative to walls that move. Laws within the sweeps, which only take, are left out. Newton's law with one
 ///           e and no friction gives -(1 - e)/(1 + e) r.W r/2 <= 0. With several e, or with friction (Kane's paradox), the law
 ///           itself may make it positive.
 /// `residual`: Euclidean norm of the solve's natural map over its contacts [m/s]

@@ -42,8 +42,8 @@ void findFastPairs(ContactList& list)
     const auto slack = [&list](int body) { return body < list.owned() ? list.slack[body] : 0.0; };
     const Vec3 none = Vec3::Zero();
     const auto path = [&](int body) -> const Vec3& { return body < list.owned() && !list.path.empty() ? list.path[body] : none; };
-    // A member of a clump does not fly straight.
-    const std::size_t ofSingleGrains = list.clumps.empty() ? list.slots() : list.clumps.firstBlock*blockLanes;
+    // A member of a general body does not fly straight.
+    const std::size_t ofSingleGrains = list.general.empty() ? list.slots() : list.general.firstBlock*blockLanes;
     for (std::size_t slot = 0; slot < ofSingleGrains; ++slot)
     {
         if (!list.isUsed(slot) || list.wall[slot] >= 0) continue;

@@ -136,7 +136,7 @@ double difference(const GrainState& a, const GrainState& b)
         EXPECT_EQ(a.contacts[c].idA, b.contacts[c].idA);
         EXPECT_EQ(a.contacts[c].idB, b.contacts[c].idB);
         compareVec(a.contacts[c].impulse, b.contacts[c].impulse);
-        compareVec(a.contacts[c].rolling, b.contacts[c].rolling);
+        compareVec(a.contacts[c].ofLaws[0], b.contacts[c].ofLaws[0]);
     }
     return worst;
 }
@@ -161,7 +161,7 @@ std::string complaintWithout(const fileName& file, double share)
 TEST(Restart, rollingMomentsAreWrittenWhereThereIsRollingFriction)
 {
     GrainState state = randomState(20);
-    for (nscd::StoredImpulse& contact : state.contacts) contact.rolling = 0.1*contact.impulse;
+    for (nscd::StoredImpulse& contact : state.contacts) contact.ofLaws[0] = 0.1*contact.impulse;
     for (const bool isRolling : {true, false})
     {
         MaterialProperties materials = twoMaterials();
@@ -175,7 +175,7 @@ TEST(Restart, rollingMomentsAreWrittenWhereThereIsRollingFriction)
         const GrainState back = readBack(box, materials);
         for (std::size_t c = 0; c < state.contacts.size(); ++c)
         {
-            EXPECT_EQ(back.contacts.at(c).rolling, isRolling ? state.contacts[c].rolling : Vec3(Vec3::Zero()));
+            EXPECT_EQ(back.contacts.at(c).ofLaws[0], isRolling ? state.contacts[c].ofLaws[0] : Vec3(Vec3::Zero()));
         }
     }
 }

@@ -8,6 +8,7 @@
 #include "coupling/case/files/processorFolders.H"
 #include "coupling/case/files/processorNames.H"
 #include "coupling/case/files/runState.H"
+#include "nscd/contacts/contactLaw.hpp"
 
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
@@ -90,8 +91,13 @@ void writeContacts
     cloud.write("idA", idA);
     cloud.write("idB", idB);
     cloud.write("impulse", converted<vector>(contacts, [](const StoredImpulse& c) { return toFoam(c.impulse); }));
-    if (!materials.anyRolling()) return;
-    cloud.write("rolling", converted<vector>(contacts, [](const StoredImpulse& c) { return toFoam(c.rolling); }));
+    std::size_t place = 0;
+    for (const nscd::ContactLawRow& law : nscd::contactLaws())
+    {
+        if (!law.impulseName) continue;
+        const std::size_t own = place++;
+        if (law.isUsed(materials)) cloud.write(law.impulseName, converted<vector>(contacts, [own](const StoredImpulse& c) { return toFoam(c.ofLaws[own]); }));
+    }
 }
 
 /// Index into the present materials of each material at the time of writing.
@@ -188,6 +194,20 @@ GrainExtras readExtras(const polyMesh& mesh, const RestartExpectation& expected)
     return extras;
 }
 
+/// Impulses that laws keep, where they were written.
+void readLawImpulses(const CloudReader& cloud, std::vector<nscd::StoredImpulse>& contacts)
+{
+    std::size_t place = 0;
+    for (const nscd::ContactLawRow& law : nscd::contactLaws())
+    {
+        if (!law.impulseName) continue;
+        const std::size_t own = place++;
+        if (!cloud.found(law.impulseName)) continue;
+        const vectorField values = cloud.vectors(law.impulseName);
+        forAll(values, c) contacts[c].ofLaws[own] = toVec3(values[c]);
+    }
+}
+
 std::vector<nscd::StoredImpulse> readContacts
 (
     const polyMesh& mesh, const RunState& state, const nscd::Grains& grains, label nWallRegions
@@ -198,19 +218,18 @@ std::vector<nscd::StoredImpulse> readContacts
     cloud.checkTotal("idA", state.nContacts);
     const labelList idB = cloud.labels("idB");
     const vectorField impulse = cloud.vectors("impulse");
-    const bool hasRolling = cloud.found("rolling");
-    const vectorField rolling = hasRolling ? cloud.vectors("rolling") : vectorField(impulse.size(), Zero);
 
     const IndexOfId index = indexById(grains);
     std::vector<nscd::StoredImpulse> contacts;
     forAll(idA, c)
     {
-        contacts.push_back({idA[c], idB[c], toVec3(impulse[c]), toVec3(rolling[c])});
+        contacts.push_back({idA[c], idB[c], toVec3(impulse[c])});
         // Grains of a contact may be another rank's: whoever brings contacts to their grains looks for them.
         const bool isKnownA = Pstream::parRun() || index.count(idA[c]) > 0;
         const bool isKnownB = idB[c] < 0 ? -1 - idB[c] < nWallRegions : Pstream::parRun() || index.count(idB[c]) > 0;
         if (!isKnownA || !isKnownB) refuseContact(mesh, contacts.back());
     }
+    readLawImpulses(cloud, contacts);
     return contacts;
 }
 

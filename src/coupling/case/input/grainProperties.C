@@ -9,6 +9,7 @@
 #include "coupling/mapping/voidFractionMethods.H"
 
 #include "closures/dragLaws.hpp"
+#include "nscd/contacts/contactLaw.hpp"
 #include "nscd/kernels/sweepKernels.hpp"
 #include "nscd/solvers/contactSolver.hpp"
 
@@ -98,7 +99,10 @@ nscd::ContactSettings readContactSettings(const CheckedDict& top, const nscd::Ma
     nscd::ContactSettings s;
     s.solver = given.choice("type", solverWords(), s.solver);
     if (Pstream::parRun() && !nscd::findContactSolver(s.solver).worksOnRanks) given.reject("type", "works on one rank only", "NLGS or NNCG");
-    if (materials.anyRolling() && s.solver != "NLGS") given.reject("type", "knows no rolling or spinning friction", "NLGS");
+    for (const nscd::ContactLawRow* law : nscd::lawsInUse(materials))
+    {
+        if (law->isSwept && s.solver != "NLGS") given.reject("type", "knows no " + string(law->words), "NLGS");
+    }
     s.tolerance = given.number("tolerance", above(0), dimless, s.tolerance);
     s.displacementTolerance = given.number("displacementTolerance", above(0), dimless, s.displacementTolerance);
     s.maxSweeps = given.integer("maxSweeps", 1, s.maxSweeps);

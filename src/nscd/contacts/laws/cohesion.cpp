@@ -24,45 +24,47 @@ bool isThere(const ContactList& list, std::size_t slot)
 
 } // namespace
 
-void markBonds(ContactList& list)
+void Cohesion::set(std::size_t slot, const ContactPair& pair, double, double)
 {
-    for (std::size_t slot = 0; slot < list.cohesion.size(); ++slot)
+    slots_[slot] = {pair.cohesion, pair.cohesionRange, Vec3::Zero(), false};
+}
+
+void Cohesion::beginStep(const ContactList& list)
+{
+    for (std::size_t slot = 0; slot < slots_.size(); ++slot)
     {
-        CohesiveSlot& cohesive = list.cohesion[slot];
-        cohesive.isBond = cohesive.force > 0.0 && impulse(list, slot).dot(normal(list, slot)) > 0.0 && isThere(list, slot);
+        CohesiveSlot& cohesive = slots_[slot];
+        cohesive.isBond = cohesive.force > 0.0 && nscd::impulse(list, slot).dot(normal(list, slot)) > 0.0 && isThere(list, slot);
     }
 }
 
-void applyCohesion(ContactList& list, double deltaT, double deadBand)
+void Cohesion::giveKnown(ContactList& list, double deltaT, double deadBand)
 {
-    for (std::size_t slot = 0; slot < list.cohesion.size(); ++slot)
+    for (std::size_t slot = 0; slot < slots_.size(); ++slot)
     {
-        CohesiveSlot& cohesive = list.cohesion[slot];
+        CohesiveSlot& cohesive = slots_[slot];
         const double gap = list.gap[slot];
-        std::fill_n(cohesive.attraction, 3, 0.0);
+        cohesive.attraction.setZero();
         if (!(cohesive.force > 0.0) || !(cohesive.isBond || gap <= std::max(deadBand, cohesive.range))) continue;
         ContactBlock& block = list.blocks[slot/blockLanes];
         const int lane = slot % blockLanes;
         const Vec3 n = normal(list, slot);
         for (int k = 0; k < 3; ++k) cohesive.attraction[k] = -deltaT*cohesive.force*n[k];
-        applyImpulse(list.bodies[block.a[lane]], list.bodies[block.b[lane]], n.data(), cohesive.attraction);
+        applyImpulse(list.bodies[block.a[lane]], list.bodies[block.b[lane]], n.data(), cohesive.attraction.data());
         if (cohesive.isBond && gap > deadBand) block.bias[lane] = (gap - deadBand)/deltaT;
     }
 }
 
-void addCohesionForces
-(
-    const ContactList& list, const Scene& scene, double deltaT, std::vector<Vec3>& force, std::vector<Vec3>& wall
-)
+void Cohesion::addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const
 {
-    for (std::size_t slot = 0; slot < list.cohesion.size(); ++slot)
+    for (std::size_t slot = 0; slot < slots_.size(); ++slot)
     {
-        if (!list.cohesion[slot].isActing()) continue;
+        if (slots_[slot].attraction == Vec3::Zero()) continue;
         const ContactBlock& block = list.blocks[slot/blockLanes];
-        const Vec3 onA = Vec3(list.cohesion[slot].attraction)/deltaT;
-        force[block.a[slot % blockLanes]] += onA;
-        if (list.wall[slot] >= 0) addWallForce(list, scene, slot, onA, wall);
-        else force[block.b[slot % blockLanes]] -= onA;
+        const Vec3 onA = slots_[slot].attraction/deltaT;
+        sums.force[block.a[slot % blockLanes]] += onA;
+        if (list.wall[slot] >= 0) addWallForce(list, scene, slot, onA, sums.wall);
+        else sums.force[block.b[slot % blockLanes]] -= onA;
     }
 }
 

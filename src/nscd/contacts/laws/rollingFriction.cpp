@@ -150,32 +150,36 @@ DefectSums sumOverSlots(Blocks* blocks, Slots& slots, BlockRange range, const Vi
 
 } // namespace
 
-DefectSums sweepRolling(Body* bodies, ContactBlock* blocks, RollingSlots& slots, BlockRange range)
+void RollingFriction::set(std::size_t slot, const ContactPair& pair, double radiusA, double radiusB)
 {
-    return sumOverSlots(blocks, slots, range, [&](ContactBlock& block, int lane, RollingSlot& slot)
+    RollingSlot& rolling = slots_[slot] = RollingSlot();
+    rolling.rolling = pair.rollingFriction;
+    rolling.spinning = pair.spinningFriction;
+    rolling.shareB = radiusB > 0.0 ? radiusA/(radiusA + radiusB) : 1.0;
+    rolling.shareA = radiusB > 0.0 ? 1.0 - rolling.shareB : 1.0;
+}
+
+DefectSums RollingFriction::sweep(Body* bodies, ContactBlock* blocks, BlockRange range)
+{
+    return sumOverSlots(blocks, slots_, range, [&](ContactBlock& block, int lane, RollingSlot& slot)
     {
         return solveSlot(bodies[block.a[lane]], bodies[block.b[lane]], block, lane, slot);
     });
 }
 
-DefectSums evaluateRolling(const Body* bodies, const ContactBlock* blocks, const RollingSlots& slots, BlockRange range)
+DefectSums RollingFriction::evaluate(const Body* bodies, const ContactBlock* blocks, BlockRange range) const
 {
-    return sumOverSlots(blocks, slots, range, [&](const ContactBlock& block, int lane, const RollingSlot& slot)
+    return sumOverSlots(blocks, slots_, range, [&](const ContactBlock& block, int lane, const RollingSlot& slot)
     {
         return defect(bodies[block.a[lane]], bodies[block.b[lane]], block, lane, slot);
     });
 }
 
-DefectSums together(const DefectSums& contacts, const DefectSums& rolling)
+void RollingFriction::startWarm(ContactList& list, double scale)
 {
-    return {contacts.sumSquares + rolling.sumSquares, std::max(contacts.maxSquare, rolling.maxSquare), contacts.active};
-}
-
-void startRolling(ContactList& list, double scale)
-{
-    for (std::size_t k = 0; k < list.rolling.size(); ++k)
+    for (std::size_t k = 0; k < slots_.size(); ++k)
     {
-        RollingSlot& slot = list.rolling[k];
+        RollingSlot& slot = slots_[k];
         if (!slot.isLoaded()) continue;
         const ContactBlock& block = list.blocks[k/blockLanes];
         const int lane = k % blockLanes;
@@ -188,22 +192,23 @@ void startRolling(ContactList& list, double scale)
     }
 }
 
-Vec3 rollingMoment(const ContactList& list, std::size_t slot)
+void RollingFriction::setImpulse(std::size_t slot, const Vec3& q) { std::copy_n(q.data(), 3, slots_[slot].q); }
+
+Vec3 RollingFriction::moment(const ContactList& list, std::size_t slot) const
 {
-    const RollingSlot& rolling = list.rolling[slot];
-    return list.radius[list.blocks[slot/blockLanes].a[slot % blockLanes]]*rolling.shareA*Vec3(rolling.q);
+    return list.radius[list.blocks[slot/blockLanes].a[slot % blockLanes]]*slots_[slot].shareA*Vec3(slots_[slot].q);
 }
 
-void addRollingTorques(const ContactList& list, const Scene& scene, double deltaT, std::vector<Vec3>& torque, std::vector<Vec3>& wall)
+void RollingFriction::addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const
 {
-    for (std::size_t slot = 0; slot < list.rolling.size(); ++slot)
+    for (std::size_t slot = 0; slot < slots_.size(); ++slot)
     {
-        if (!list.rolling[slot].isLoaded()) continue;
+        if (!slots_[slot].isLoaded()) continue;
         const ContactBlock& block = list.blocks[slot/blockLanes];
-        const Vec3 moment = rollingMoment(list, slot)/deltaT;
-        torque[block.a[slot % blockLanes]] += moment;
-        torque[block.b[slot % blockLanes]] -= moment;
-        if (list.wall[slot] >= 0) wall[scene.walls.patches.size() + scene.walls.regions[list.wall[slot]].patch] -= moment;
+        const Vec3 onA = moment(list, slot)/deltaT;
+        sums.torque[block.a[slot % blockLanes]] += onA;
+        sums.torque[block.b[slot % blockLanes]] -= onA;
+        if (list.wall[slot] >= 0) sums.wall[scene.walls.patches.size() + scene.walls.regions[list.wall[slot]].patch] -= onA;
     }
 }
 

@@ -4,25 +4,11 @@
 // Resistance to rolling and to spinning: laws of Coulomb's kind for the moment that a contact bears, beside the sweep kernels.
 #pragma once
 
-#include "nscd/base/vec3.hpp"
-#include "nscd/kernels/contactBlock.hpp"
-
-#include <vector>
+#include "nscd/contacts/contactLaw.hpp"
 
 namespace nscd
 {
 
-struct ContactList;
-struct Scene;
-
-/// With the reduced radius R' = R_A R_B/(R_A + R_B) (at a wall: R_A; Ai et al. 2011, Powder Technol. 206, 269) and the relative
-/// angular velocity omega = omega_A - omega_B, a contact bears a moment impulse M on A, -M on B [N m s], written as q = M/R' [N s],
-/// with its power partner w = R' omega [m/s]. Along the normal (spinning) and in the tangent plane (rolling):
-///     |q_t| <= mu_r r_n, and if w_t is not 0, q_t = -mu_r r_n w_t/|w_t|;
-///     |q_n| <= mu_s r_n, and if w_n is not 0, q_n = -mu_s r_n sign(w_n)
-/// (set-valued as Coulomb's law; in contact dynamics Estrada, Taboada & Radjai 2008, Phys. Rev. E 78, 021301). In the spin variables
-/// s = R omega: w = a s_A - b s_B with a = R'/R_A, b = R'/R_B, q changes s_A by a q/(kappa m_A) and s_B by -b q/(kappa m_B), and for
-/// spheres and discs w changes by W_r q, W_r = a^2/(kappa m_A) + b^2/(kappa m_B).
 struct RollingSlot
 {
     double q[3] = {0.0, 0.0, 0.0};   ///< on A, world frame [N s]
@@ -35,27 +21,34 @@ struct RollingSlot
     bool isLoaded() const { return q[0] != 0.0 || q[1] != 0.0 || q[2] != 0.0; }
 };
 
-/// One slot for each lane of the blocks; empty in scenes without rolling and spinning friction, which then pay nothing.
-using RollingSlots = std::vector<RollingSlot>;
+/// With the reduced radius R' = R_A R_B/(R_A + R_B) (at a wall: R_A; Ai et al. 2011, Powder Technol. 206, 269) and the relative
+/// angular velocity omega = omega_A - omega_B, a contact bears a moment impulse M on A, -M on B [N m s], written as q = M/R' [N s],
+/// with its power partner w = R' omega [m/s]. Along the normal (spinning) and in the tangent plane (rolling):
+///     |q_t| <= mu_r r_n, and if w_t is not 0, q_t = -mu_r r_n w_t/|w_t|;
+///     |q_n| <= mu_s r_n, and if w_n is not 0, q_n = -mu_s r_n sign(w_n)
+/// (set-valued as Coulomb's law; in contact dynamics Estrada, Taboada & Radjai 2008, Phys. Rev. E 78, 021301). In the spin variables
+/// s = R omega: w = a s_A - b s_B with a = R'/R_A, b = R'/R_B, q changes s_A by a q/(kappa m_A) and s_B by -b q/(kappa m_B), and for
+/// spheres and discs w changes by W_r q, W_r = a^2/(kappa m_A) + b^2/(kappa m_B).
+class RollingFriction : public LawOfSlots<RollingSlot>
+{
+public:
+    void set(std::size_t slot, const ContactPair& pair, double radiusA, double radiusB) override;
 
-/// One pass over the contacts of a range after their sweep: each one's moment, and with it its tangential impulse as far as it
-/// sticks, solved exactly with all others and the normal impulses held. Sums count no contact, as the sweep has.
-DefectSums sweepRolling(Body* bodies, ContactBlock* blocks, RollingSlots& slots, BlockRange range);
+    /// Last step's moments times `scale`, turned into the present tangent planes and cut to what the impulses allow.
+    void startWarm(ContactList& list, double scale) override;
 
-/// The law's share of the natural-map residual at the present state: e = W_r |q - Proj(q - w/W_r)|, rolling and spinning part.
-DefectSums evaluateRolling(const Body* bodies, const ContactBlock* blocks, const RollingSlots& slots, BlockRange range);
+    /// Each contact's moment, and with it its tangential impulse as far as it sticks, solved exactly with all others and the normal
+    /// impulses held.
+    DefectSums sweep(Body* bodies, ContactBlock* blocks, BlockRange range) override;
+    /// e = W_r |q - Proj(q - w/W_r)|, rolling and spinning part.
+    DefectSums evaluate(const Body* bodies, const ContactBlock* blocks, BlockRange range) const override;
 
-/// The sums of both, of the same contacts.
-DefectSums together(const DefectSums& contacts, const DefectSums& rolling);
+    void addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const override;
+    /// R' q.
+    Vec3 moment(const ContactList& list, std::size_t slot) const override;
 
-/// Warm start: last step's moments times `scale`, turned into the present tangent planes and cut to what the impulses allow.
-/// The bodies' spins move along.
-void startRolling(ContactList& list, double scale);
-
-/// Adds the moments to `torque`, of each body [N m], and those on walls to the second half of `wall`: forces of the patches, then torques.
-void addRollingTorques(const ContactList& list, const Scene& scene, double deltaT, std::vector<Vec3>& torque, std::vector<Vec3>& wall);
-
-/// Moment impulse of a slot on A [N m s]: R' q.
-Vec3 rollingMoment(const ContactList& list, std::size_t slot);
+    Vec3 impulse(std::size_t slot) const override { return Vec3(slots_[slot].q); }
+    void setImpulse(std::size_t slot, const Vec3& q) override;
+};
 
 } // namespace nscd

@@ -5,10 +5,8 @@
 #include "nscd/solvers/direct/directHelp.hpp"
 
 #include "nscd/solvers/direct/directSolve.hpp"
-#include "nscd/solvers/help/capGuard.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace nscd
 {
@@ -41,7 +39,7 @@ double DirectHelp::priceLimit() const
 
 bool DirectHelp::isDue(int sweeps)
 {
-    if (problem_.halo.isParallel() || problem_.clumps || isDone_ || !settings_.strategy.direct.isOn) return false;
+    if (problem_.halo.isParallel() || problem_.general || isDone_ || !settings_.strategy.direct.isOn) return false;
     if (!hasPrice_ && sweeps >= std::min(settings_.strategy.direct.firstLook, settings_.maxSweeps))
     {
         hasPrice_ = true;
@@ -64,7 +62,7 @@ void DirectHelp::checkHeavyBodies(SolveReport& report, const StopRule& rule)
     if (!(problem_.massRatio > harmless) || isDone_) return;
     const double ratio = loadedMassRatio(problem_);
     if (!(ratio > harmless)) return;
-    if (!problem_.halo.isParallel() && !problem_.clumps && DirectSolve(problem_).price(priceLimit()) <= priceLimit()) solve(rule);
+    if (!problem_.halo.isParallel() && !problem_.general && DirectSolve(problem_).price(priceLimit()) <= priceLimit()) solve(rule);
     else report.hiddenMassRatio = ratio;
 }
 
@@ -74,49 +72,6 @@ bool DirectHelp::complete(SolveReport& report, const StopRule& rule)
     checkHeavyBodies(report, rule);
     report.newtonSteps = newtonSteps_;
     return isDone_ && !wasDone;
-}
-
-namespace
-{
-
-std::string massWarning(const SolveReport& report)
-{
-    char text[600] = "";
-    if (report.hiddenMassRatio == 0.0) return text;
-    std::snprintf
-    (
-        text, sizeof(text),
-        "masses in contact differ by up to 1:%.3g, and the direct method is too dear for this scene or not to be had on several ranks: "
-        "velocities have the accuracy asked for, forces under the heavy bodies may not; ask for a finer tolerance where they matter",
-        report.hiddenMassRatio
-    );
-    return text;
-}
-
-std::string energyWarning(const SolveReport& report)
-{
-    char text[600] = "";
-    if (!report.hasGainedEnergy()) return text;
-    std::snprintf
-    (
-        text, sizeof(text),
-        "restitution and friction at once would have created %.3g J in a step (Newton's law of impact may): all its rebounds were "
-        "multiplied by %.3g, so that none was",
-        report.shockWork, report.reboundShare
-    );
-    return text;
-}
-
-} // namespace
-
-std::string warning(const SolveReport& report)
-{
-    std::string all;
-    for (const std::string& one : {massWarning(report), energyWarning(report), capWarning(report)})
-    {
-        if (!one.empty()) all += (all.empty() ? "" : "; and ") + one;
-    }
-    return all;
 }
 
 } // namespace nscd

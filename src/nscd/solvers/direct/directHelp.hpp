@@ -4,7 +4,7 @@
 // When the direct method takes over from sweeps.
 #pragma once
 
-#include "nscd/solvers/contactSolver.hpp"
+#include "nscd/solvers/problem/stopRule.hpp"
 
 #include <limits>
 

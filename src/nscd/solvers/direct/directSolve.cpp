@@ -112,7 +112,7 @@ MotionComponents DirectSolve::components() const
 
 bool DirectSolve::isWithinReach() const
 {
-    return !slots_.empty() && !problem_.rolling && std::all_of(slots_.begin(), slots_.end(), [&](std::size_t slot)
+    return !slots_.empty() && !problem_.laws && std::all_of(slots_.begin(), slots_.end(), [&](std::size_t slot)
     {
         const SlotView view(problem_, slot);
         return view.block.friction[view.lane] <= largestFriction;
@@ -241,21 +241,6 @@ void DirectSolve::restore(const Snapshot& taken)
         const Vec3 r = k < taken.impulses.size() ? taken.impulses[k] : Vec3(Vec3::Zero());
         setImpulse(problem_, slots_[k], r);
     }
-}
-
-SolveReport solveDirect(ContactProblem& problem, const ContactSettings& settings)
-{
-    SolveReport report;
-    if (problem.blocks.empty()) return report;
-    const StopRule rule = makeStopRule(problem, settings, residual(problem));
-    report.newtonSteps = DirectSolve(problem).run(rule, directFineness);
-    wakeBlocks(problem);
-    reportResidual(report, rule, residual(problem));
-    if (report.converged) return report;
-    const int steps = report.newtonSteps;
-    report = solveNlgs(problem, settings);
-    report.newtonSteps += steps;
-    return report;
 }
 
 } // namespace nscd

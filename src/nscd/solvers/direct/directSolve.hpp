@@ -4,8 +4,8 @@
 // A direct method for the contact problem: what it costs depends on how bodies hang together, not on depth or ratios of mass.
 #pragma once
 
-#include "nscd/solvers/contactSolver.hpp"
 #include "nscd/solvers/direct/convexContact.hpp"
+#include "nscd/solvers/problem/stopRule.hpp"
 
 #include <memory>
 #include <vector>

@@ -5,7 +5,6 @@
 #include "nscd/solvers/help/capGuard.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace nscd
 {
@@ -29,20 +28,6 @@ void CapGuard::note(SolveReport& report, const ContactSettings& settings)
         atCap_ = 0;
     }
     else if (within_ >= settings.strategy.cap.patience) raised_ = 0;
-}
-
-std::string capWarning(const SolveReport& report)
-{
-    if (report.raisedCap == 0) return "";
-    char text[300];
-    std::snprintf
-    (
-        text, sizeof(text),
-        "step after step ended at the cap of %d sweeps, with which grains at rest sink and bounce without end: the cap is now %d; a larger "
-        "maxSweeps, a smaller time step or a coarser tolerance would do as well",
-        report.userCap, report.raisedCap
-    );
-    return text;
 }
 
 } // namespace nscd

@@ -7,8 +7,6 @@
 #include "nscd/scene/contactSettings.hpp"
 #include "nscd/scene/stepReport.hpp"
 
-#include <string>
-
 namespace nscd
 {
 
@@ -31,8 +29,5 @@ private:
     int atCap_ = 0;    ///< steps in a row that ended at the cap
     int within_ = 0;   ///< steps in a row that the user's cap would have done for
 };
-
-/// In words, that the cap of a report was raised; empty: it was not.
-std::string capWarning(const SolveReport& report);
 
 } // namespace nscd

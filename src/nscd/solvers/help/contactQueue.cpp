@@ -4,8 +4,8 @@
 // A first-in first-out queue of contacts with their neighbors by body.
 #include "nscd/solvers/help/contactQueue.hpp"
 
-#include "nscd/contacts/clumps/clumpVisits.hpp"
-#include "nscd/solvers/localContact.hpp"
+#include "nscd/contacts/general/generalSweep.hpp"
+#include "nscd/solvers/problem/localContact.hpp"
 
 #include <array>
 #include <cmath>
@@ -23,8 +23,8 @@ std::array<std::int32_t, 2> bodiesOf(const ContactProblem& problem, std::size_t 
 {
     const ContactBlock& block = problem.blocks[slot/blockLanes];
     const std::int32_t a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
-    if (!problem.clumps) return {a, b};
-    return {bodyForClump(*problem.clumps, a), bodyForClump(*problem.clumps, b)};
+    if (!problem.general) return {a, b};
+    return {problem.general->representative(a), problem.general->representative(b)};
 }
 
 bool isMovable(const ContactProblem& problem, std::int32_t body) { return problem.bodies[body].invMass > 0.0; }

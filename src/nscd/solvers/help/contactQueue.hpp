@@ -4,7 +4,7 @@
 // The queue of the thesis (section 2.3): a contact is solved again only after something near it changed.
 #pragma once
 
-#include "nscd/solvers/contactSolver.hpp"
+#include "nscd/solvers/problem/stopRule.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -33,7 +33,7 @@ void addIsolated(SolveReport& report, std::size_t isolated, double squares, doub
 
 } // namespace
 
-SolveReport solveBesideIsolated(ContactProblem& problem, std::size_t isolatedBlocks, const ContactSettings& settings, ContactSolver solve)
+SolveReport solveBesideIsolated(ContactProblem& problem, std::size_t isolatedBlocks, const ContactSettings& settings, SolveReport (*solve)(ContactProblem&, const ContactSettings&))
 {
     std::vector<std::uint32_t>& awake = problem.awake;
     const auto firstOfRest = [&]() { return std::lower_bound(awake.begin(), awake.end(), isolatedBlocks); };

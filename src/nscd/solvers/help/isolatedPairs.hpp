@@ -4,7 +4,7 @@
 // Contacts that share no grain with any other: solved exactly, once, beside the sweeps.
 #pragma once
 
-#include "nscd/solvers/contactSolver.hpp"
+#include "nscd/solvers/problem/stopRule.hpp"
 
 namespace nscd
 {
@@ -14,6 +14,6 @@ namespace nscd
 /// can matter there is no solve: what is not closed, loaded or closing in the free motion stays so.
 /// Ensures: problem.awake is as the solver leaves it, and the awake isolated blocks before
 /// Errors: std::runtime_error for a velocity that is not finite
-SolveReport solveBesideIsolated(ContactProblem& problem, std::size_t isolatedBlocks, const ContactSettings& settings, ContactSolver solve);
+SolveReport solveBesideIsolated(ContactProblem& problem, std::size_t isolatedBlocks, const ContactSettings& settings, SolveReport (*solve)(ContactProblem&, const ContactSettings&));
 
 } // namespace nscd

@@ -4,8 +4,8 @@
 // The neighborhood of large defects, and sweeps over it.
 #include "nscd/solvers/help/loneDefects.hpp"
 
-#include "nscd/contacts/clumps/clumpVisits.hpp"
-#include "nscd/solvers/localContact.hpp"
+#include "nscd/contacts/general/generalSweep.hpp"
+#include "nscd/solvers/problem/localContact.hpp"
 
 #include <algorithm>
 
@@ -29,7 +29,7 @@ public:
     {
         for (std::uint32_t slot : defectiveSlots(problem_, problem_.active(), limit))
         {
-            if (!isOfClump(problem_.clumps, slot)) addBodies(slot/blockLanes, slot % blockLanes);
+            if (!isGeneral(problem_.general, slot)) addBodies(slot/blockLanes, slot % blockLanes);
         }
     }
 

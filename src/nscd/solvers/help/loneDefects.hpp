@@ -4,7 +4,7 @@
 // Sweeps over the few contacts that keep a solution from being polished.
 #pragma once
 
-#include "nscd/solvers/contactSolver.hpp"
+#include "nscd/solvers/problem/stopRule.hpp"
 
 namespace nscd
 {

@@ -51,7 +51,7 @@ void putOutOfReach(ContactBlock& block, int lane)
 
 bool PackedContacts::isWorthwhile(const ContactProblem& whole, const SolverStrategy::Packing& strategy) const
 {
-    return strategy.isOn && whole.isFlowing() && !whole.rolling && !whole.clumps && !whole.halo.isParallel()
+    return strategy.isOn && whole.isFlowing() && !whole.laws && !whole.general && !whole.halo.isParallel()
         && lastSweeps_ >= strategy.longSolve && whole.awake.size() >= strategy.largeProblem;
 }
 
@@ -103,11 +103,15 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
         if (isPacked) slots.push_back(k*blockLanes + static_cast<std::uint32_t>(lane));
     }
     append(slots, staticBody);
-    return
+    ContactProblem packed
     {
-        whole.bodies, blocks_, awake_, std::numeric_limits<std::size_t>::max(), whole.halo, whole.kernels, whole.isFrictional, whole.deltaT,
-        whole.speedScale, whole.diameter, whole.position, whole.motion, nullptr, whole.massRatio, 0, nullptr, this, true
+        whole.bodies, blocks_, awake_, std::numeric_limits<std::size_t>::max(), whole.halo, whole.kernels, whole.isFrictional,
+        whole.deltaT, whole.speedScale, whole.diameter, whole.position
     };
+    packed.motion = whole.motion;
+    packed.massRatio = whole.massRatio;
+    packed.leftOut = this;
+    return packed;
 }
 
 bool PackedContacts::wake(ContactProblem& packed)
@@ -129,7 +133,7 @@ bool PackedContacts::wake(ContactProblem& packed)
     return !slots.empty();
 }
 
-DefectSums PackedContacts::defectsOfRest(const ContactProblem& packed) const
+DefectSums PackedContacts::defects(const ContactProblem& packed) const
 {
     return packed.kernels.evaluateFrictionless(packed.bodies.data(), home_->data() + firstOfHome_, {nullptr, home_->size() - firstOfHome_});
 }

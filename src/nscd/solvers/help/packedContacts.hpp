@@ -5,14 +5,14 @@
 #pragma once
 
 #include "nscd/contacts/contactBatching.hpp"
-#include "nscd/solvers/contactSolver.hpp"
+#include "nscd/solvers/problem/stopRule.hpp"
 
 namespace nscd
 {
 
 /// A solve's problem is packed, solved, and given back. What the list's blocks hold of packed contacts is meanwhile out of every motion's
 /// reach, so that the list's blocks tell which further contacts should be packed. Keeps its memory from solve to solve.
-class PackedContacts
+class PackedContacts : public ContactsLeftOut
 {
 public:
     /// Whether packing pays: in a large flow whose last solve was long, on one rank. It costs as much as five sweeps and saves a fifth of each.
@@ -22,11 +22,8 @@ public:
     /// Ensures: until giveBack() the packed problem stands for the whole one, which must not be touched
     ContactProblem pack(ContactProblem& whole, double nearlyClosing);
 
-    /// Packs contacts that should carry an impulse at the present velocities behind the others. Returns whether there were any.
-    bool wake(ContactProblem& packed);
-
-    /// Defects of contacts that are not packed [m/s].
-    DefectSums defectsOfRest(const ContactProblem& packed) const;
+    bool wake(ContactProblem& packed) override;
+    DefectSums defects(const ContactProblem& packed) const override;
 
     /// Gives the impulses to the whole problem, whose active blocks then hold all that is loaded.
     void giveBack(ContactProblem& whole) const;

@@ -81,7 +81,7 @@ void SlowSolve::start(int sweeps)
 
 bool SlowSolve::hasHelp() const { return isCold_ || isFlowing() ? strategy_.momentum.isOn : strategy_.mixing.isOn; }
 
-bool SlowSolve::isFlowing() const { return problem_.isFlowing() && !problem_.rolling && !problem_.clumps; }
+bool SlowSolve::isFlowing() const { return problem_.isFlowing() && !problem_.laws && !problem_.general; }
 
 void SlowSolve::makeMixing()
 {
@@ -106,7 +106,7 @@ void SlowSolve::forget()
 
 void SlowSolve::wake()
 {
-    if (!momentum_ || !problem_.isPacked) return forget();
+    if (!momentum_ || !problem_.leftOut) return forget();
     // Contacts that a packed problem gains stand behind the others, and have carried nothing so far.
     queue_.reset();
     momentum_->grow();
@@ -176,7 +176,7 @@ bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule
 int SlowSolve::solveLocally(int sweeps, const StopRule& rule)
 {
     // Between ranks there are only sweeps: each works on contacts that no other can disturb.
-    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, problem_.clumps ? problem_.active() : problem_.inner());
+    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, problem_.general ? problem_.active() : problem_.inner());
     const std::size_t used = std::max<std::size_t>(1, queue_->slots().size());
     const double threshold = (problem_.isFlowing() ? strategy_.queue.shareInFlow : strategy_.queue.shareOfLimit)*rule.maxLimit;
     const std::size_t visits = queue_->work(queue_->defective(threshold), threshold, strategy_.queue.mostSweeps*used);

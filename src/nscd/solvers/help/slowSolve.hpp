@@ -26,6 +26,9 @@ public:
     /// `sums`: defects that the sweep met, or those that it left, where these were looked at. Returns the work done beside sweeps, in sweeps.
     int afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule);
 
+    /// What the next sweep has to move the impulses on by, velocities having been moved.
+    SweepOn forNextSweep() { return momentum_ ? momentum_->forNextSweep() : SweepOn(); }
+
     /// To be called when something else changed the solution: what was collected about it is of no use.
     void forget();
     /// To be called when blocks woke up.

@@ -100,15 +100,14 @@ void SweepMomentum::extrapolate(double theta)
     if (kind_ == Kind::flowing)
     {
         // The sweep that follows comes by all blocks anyway.
-        problem_.before = image_.data();
-        problem_.theta = theta;
+        forNextSweep_ = {image_.data(), theta};
         return;
     }
     kernels.extrapolate(problem_.blocks.data(), problem_.active(), image_.data(), theta);
     gatherImpulses(problem_.blocks, problem_.active(), start_);
 }
 
-/// Where impulses are not all that moves bodies (moments of rolling friction, clumps): velocities follow the impulses, projected on their cones.
+/// Where impulses are not all that moves bodies (moments of laws, general bodies): velocities follow the impulses, projected on their cones.
 void SweepMomentum::extrapolateImpulsesAlone(double theta)
 {
     gatherImpulses(problem_.blocks, problem_.active(), start_);

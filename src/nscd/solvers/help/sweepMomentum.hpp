@@ -4,7 +4,9 @@
 // Momentum for Gauss-Seidel sweeps: what shortens cold solves, in which weight has many layers to come down through, and flows.
 #pragma once
 
-#include "nscd/solvers/contactSolver.hpp"
+#include "nscd/solvers/problem/stopRule.hpp"
+
+#include <utility>
 #include "nscd/solvers/help/andersonAcceleration.hpp"
 
 namespace nscd
@@ -28,6 +30,9 @@ public:
     /// Turns what a sweep has led to, r_k, into the next y, in flows once the next sweep comes by. `isNear`: whether the solution is near.
     void advance(bool isNear = false);
 
+    /// What the next sweep has to move the impulses on by; nothing the time after, unless advance() was called again.
+    SweepOn forNextSweep() { return std::exchange(forNextSweep_, SweepOn()); }
+
     /// Back to r_k.
     void revert();
 
@@ -38,7 +43,7 @@ public:
     void grow();
 
 private:
-    bool isLinear() const { return !problem_.rolling && !problem_.clumps; }
+    bool isLinear() const { return !problem_.laws && !problem_.general; }
     double nextTheta(bool isNear);
     double uphill() const;
     void keepImage();
@@ -54,6 +59,7 @@ private:
     Impulses image_;      ///< r_k
     std::vector<Body> bodies_;   ///< with the velocities of r_k
     Impulses start_;      ///< y, where it is asked for
+    SweepOn forNextSweep_;
 };
 
 } // namespace nscd

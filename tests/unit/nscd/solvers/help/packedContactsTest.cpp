@@ -133,7 +133,7 @@ TEST(PackedContacts, comeBackToTheBit)
     nscd::ContactProblem packed = packing.pack(problem, 0.008);
     EXPECT_LT(packed.blocks.size(), before.size());
     EXPECT_EQ(grid.loaded(), 0u);
-    EXPECT_EQ(packing.defectsOfRest(packed).sumSquares, 0.0);   // whatever closes is packed
+    EXPECT_EQ(packing.defects(packed).sumSquares, 0.0);   // whatever closes is packed
     std::size_t there = 0;
     for (const nscd::ContactBlock& block : packed.blocks)
     for (int lane = 0; lane < nscd::blockLanes; ++lane) there += block.r[0][lane] != 0.0 || block.r[1][lane] != 0.0 || block.r[2][lane] != 0.0;
@@ -180,10 +180,10 @@ TEST(PackedContacts, takeInWhatComesToClose)
     {
         for (double& v : body.v) v *= 3.0;
     }
-    EXPECT_GT(packing.defectsOfRest(packed).sumSquares, 0.0);
+    EXPECT_GT(packing.defects(packed).sumSquares, 0.0);
     EXPECT_TRUE(nscd::wakeBlocks(packed));
     EXPECT_GT(packed.blocks.size(), before);
     EXPECT_EQ(packed.awake.size(), packed.blocks.size());
-    EXPECT_EQ(packing.defectsOfRest(packed).sumSquares, 0.0);
+    EXPECT_EQ(packing.defects(packed).sumSquares, 0.0);
     EXPECT_FALSE(nscd::wakeBlocks(packed));
 }

@@ -34,11 +34,9 @@ void setVelocities(Column& column)
 }
 
 /// What the next sweep begins with.
-void moveImpulsesOn(nscd::ContactProblem& problem)
+void moveImpulsesOn(nscd::ContactProblem& problem, const nscd::SweepOn& on)
 {
-    if (!problem.before) return;
-    problem.kernels.extrapolate(problem.blocks.data(), problem.active(), problem.before, problem.theta);
-    problem.before = nullptr;
+    if (on.before) problem.kernels.extrapolate(problem.blocks.data(), problem.active(), on.before, on.theta);
 }
 
 /// Sets the impulse of the only contact, as a sweep would, and lets momentum act. Returns y.
@@ -47,7 +45,7 @@ double advanceFrom(double impulse, Column& column, nscd::ContactProblem& problem
     column.blocks[0].r[2][0] = impulse;
     setVelocities(column);
     momentum.advance(isNear);
-    moveImpulsesOn(problem);
+    moveImpulsesOn(problem, momentum.forNextSweep());
     EXPECT_NEAR(column.bodies[0].v[2], -1.0 + column.blocks[0].r[2][0], 1e-13);
     return column.blocks[0].r[2][0];
 }

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Open, sticking, sliding.
-#include "nscd/contacts/clumps/generalContact.hpp"
+#include "nscd/contacts/general/generalContact.hpp"
 
 #include <algorithm>
 #include <cmath>

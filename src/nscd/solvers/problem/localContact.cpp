@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The closed-form solution of one contact, in plain scalar code.
-#include "nscd/solvers/localContact.hpp"
+#include "nscd/solvers/problem/localContact.hpp"
 
-#include "nscd/contacts/clumps/clumpVisits.hpp"
+#include "nscd/contacts/general/generalSweep.hpp"
 #include "nscd/kernels/applyImpulse.hpp"
 
 #include <algorithm>
@@ -31,9 +31,9 @@ double dot(const double a[3], const double b[3]) { return a[0]*b[0] + a[1]*b[1] 
 
 LocalChange localChange(const ContactProblem& problem, std::size_t slot)
 {
-    if (isOfClump(problem.clumps, slot))
+    if (isGeneral(problem.general, slot))
     {
-        const ClumpChange change = clumpChange(problem.bodies.data(), problem.blocks.data(), *problem.clumps, slot);
+        const GeneralChange change = generalChange(problem.bodies.data(), problem.blocks.data(), *problem.general, slot);
         return {{change.impulse[0], change.impulse[1], change.impulse[2]}, change.defect};
     }
     const ContactBlock& block = problem.blocks[slot/blockLanes];
@@ -81,7 +81,7 @@ std::vector<std::uint32_t> defectiveSlots(const ContactProblem& problem, BlockRa
     {
         const std::uint32_t index = range[k];
         ContactBlock& block = problem.blocks[index];
-        if (!isOfClump(problem.clumps, index*blockLanes) && evaluate(problem.bodies.data(), &block, {nullptr, 1}).maxSquare <= small2) continue;
+        if (!isGeneral(problem.general, index*blockLanes) && evaluate(problem.bodies.data(), &block, {nullptr, 1}).maxSquare <= small2) continue;
         for (int lane = 0; lane < blockLanes; ++lane)
         {
             const std::uint32_t slot = index*blockLanes + lane;
@@ -93,9 +93,9 @@ std::vector<std::uint32_t> defectiveSlots(const ContactProblem& problem, BlockRa
 
 void apply(ContactProblem& problem, std::size_t slot, const LocalChange& change)
 {
-    if (isOfClump(problem.clumps, slot))
+    if (isGeneral(problem.general, slot))
     {
-        applyClumpChange(problem.bodies.data(), problem.blocks.data(), *problem.clumps, slot, Vec3(change.impulse));
+        applyGeneralChange(problem.bodies.data(), problem.blocks.data(), *problem.general, slot, Vec3(change.impulse));
         return;
     }
     ContactBlock& block = problem.blocks[slot/blockLanes];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Overlaps of clumps are removed as others are, by displacements that give no velocity, and by turns.
-#include "nscd/step/clumpCorrection.hpp"
+// Overlaps of general bodies are removed as others are, by displacements that give no velocity, and by turns.
+#include "nscd/step/generalCorrection.hpp"
 
 #include "nscd/base/freeRotation.hpp"
 #include "nscd/contacts/contactGeometry.hpp"
-#include "nscd/step/clumpMotion.hpp"
+#include "nscd/step/generalMotion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +19,12 @@ namespace
 
 constexpr int maxCorrectionSweeps = 50;
 
-/// What moves one side of a contact: number of a body, clumps before single ones, and its turn per impulse along n.
+/// What moves one side of a contact: number of a body, general ones before single ones, and its turn per impulse along n.
 struct Side
 {
     std::size_t body;
     double invMass;
-    Vec3 moment;   ///< arm x n of a clump [m]
+    Vec3 moment;   ///< arm x n of a general body [m]
     Vec3 turn;     ///< J^-1 of that [1/(kg m)]
 
     double mobility() const { return invMass + moment.dot(turn); }
@@ -48,17 +48,17 @@ struct Displacement
 
 Side makeSide(const ContactList& list, int body, const Vec3& n)
 {
-    const std::size_t clumps = list.clumps.bodies.size();
-    const int number = body < list.owned() ? list.clumps.memberOf[body] : -1;
+    const std::size_t general = list.general.bodies.size();
+    const int number = body < list.owned() ? list.general.memberOf[body] : -1;
     if (number < 0)
     {
         const double invMass = body < list.owned() ? list.inverseMass[body] : 0.0;
-        return {clumps + body, invMass, Vec3::Zero(), Vec3::Zero()};
+        return {general + body, invMass, Vec3::Zero(), Vec3::Zero()};
     }
-    const ClumpMember& member = list.clumps.members[number];
-    const ClumpBody& clump = list.clumps.bodies[member.clump];
+    const GeneralMember& member = list.general.members[number];
+    const GeneralBody& owner = list.general.bodies[member.owner];
     const Vec3 moment = member.arm.cross(n);
-    return {static_cast<std::size_t>(member.clump), clump.invMass, moment, clump.invInertia*moment};
+    return {static_cast<std::size_t>(member.owner), owner.invMass, moment, owner.invInertia*moment};
 }
 
 /// The arms are those of the step's start: what a step turns changes little in them, and the next pass sees the true gaps.
@@ -81,7 +81,7 @@ double along(const Side& side, const Vec3& n, const std::vector<Displacement>& m
     return n.dot(moved[side.body].shift) + side.moment.dot(moved[side.body].turn);
 }
 
-void displace(const Side& side, const Vec3& n, double push, std::vector<Displacement>& moved)
+void move(const Side& side, const Vec3& n, double push, std::vector<Displacement>& moved)
 {
     moved[side.body].shift += side.invMass*push*n;
     moved[side.body].turn += push*side.turn;
@@ -97,8 +97,8 @@ double sweepPushes(std::vector<Push>& pushes, std::vector<Displacement>& moved)
         const double missing = push.required - along(push.a, push.n, moved) + along(push.b, push.n, moved);
         const double size = std::max(0.0, push.size + missing/w), change = size - push.size;
         push.size = size;
-        displace(push.a, push.n, change, moved);
-        displace(push.b, push.n, -change, moved);
+        move(push.a, push.n, change, moved);
+        move(push.b, push.n, -change, moved);
         largest = std::max(largest, w*std::abs(change));
     }
     return largest;
@@ -106,10 +106,10 @@ double sweepPushes(std::vector<Push>& pushes, std::vector<Displacement>& moved)
 
 } // namespace
 
-int correctClumpOverlaps(ContactList& list, Grains& grains, const Scene& scene, double deepest, double tolerance, double deadBand)
+int correctGeneralOverlaps(ContactList& list, Grains& grains, const Scene& scene, double deepest, double tolerance, double deadBand)
 {
-    const std::size_t clumps = list.clumps.bodies.size();
-    std::vector<Displacement> moved(clumps + list.bodies.size());
+    const std::size_t general = list.general.bodies.size();
+    std::vector<Displacement> moved(general + list.bodies.size());
     std::vector<Push> pushes = collectPushes(list, deepest, -0.5*deadBand);
     int sweeps = 0;
     double change = 0.0;
@@ -119,13 +119,8 @@ int correctClumpOverlaps(ContactList& list, Grains& grains, const Scene& scene, 
     }
     while (++sweeps < maxCorrectionSweeps && change > 0.1*tolerance);
 
-    for (std::size_t c = 0; c < clumps; ++c)
-    {
-        grains.clumps.position[c] = scene.box.wrap(grains.clumps.position[c] + moved[c].shift);
-        if (moved[c].turn == Vec3::Zero()) continue;
-        grains.clumps.orientation[c] = (rotationBy(moved[c].turn)*grains.clumps.orientation[c]).normalized();
-    }
-    for (int body = 0; body < list.owned(); ++body) list.position[body] += moved[clumps + body].shift;
+    for (std::size_t k = 0; k < general; ++k) displace(grains, k, moved[k].shift, moved[k].turn, scene.box);
+    for (int body = 0; body < list.owned(); ++body) list.position[body] += moved[general + body].shift;
     putMembers(list, grains, scene.box);
     updateGeometry(list, scene);
     return sweeps;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Members of clumps in a contact list.
-#include "nscd/contacts/clumps/clumpCandidates.hpp"
+// General bodies in a contact list: which there are, and where their contacts go.
+#include "nscd/contacts/generalCandidates.hpp"
 
-#include "nscd/contacts/clumps/clumpVisits.hpp"
 #include "nscd/contacts/contactCandidates.hpp"
+#include "nscd/contacts/general/generalSweep.hpp"
 #include "nscd/scene/clumps.hpp"
 
 #include <algorithm>
@@ -16,16 +16,16 @@ namespace nscd
 namespace
 {
 
-bool isOfClump(const ContactList& list, const Candidate& c)
+bool isGeneral(const ContactList& list, const Candidate& c)
 {
-    return list.clumps.memberOf[c.a] >= 0 || (c.b < list.owned() && list.clumps.memberOf[c.b] >= 0);
+    return list.general.memberOf[c.a] >= 0 || (c.b < list.owned() && list.general.memberOf[c.b] >= 0);
 }
 
 } // namespace
 
-ClumpList listClumps(const Clumps& clumps, const std::vector<int>& grainOf)
+GeneralBodies listGeneralBodies(const Clumps& clumps, const std::vector<int>& grainOf)
 {
-    ClumpList list;
+    GeneralBodies list;
     std::vector<int> bodyOf(grainOf.size());
     for (std::size_t body = 0; body < grainOf.size(); ++body) bodyOf[grainOf[body]] = static_cast<int>(body);
     list.bodies.resize(clumps.size());
@@ -43,38 +43,38 @@ ClumpList listClumps(const Clumps& clumps, const std::vector<int>& grainOf)
     return list;
 }
 
-int bodyForClump(const ClumpList& clumps, int body)
+int GeneralBodies::representative(int body) const
 {
-    int member = body < static_cast<int>(clumps.memberOf.size()) ? clumps.memberOf[body] : -1;
+    int member = body < static_cast<int>(memberOf.size()) ? memberOf[body] : -1;
     if (member < 0) return body;
-    while (member > 0 && clumps.members[member - 1].clump == clumps.members[member].clump) --member;
-    return clumps.members[member].body;
+    while (member > 0 && members[member - 1].owner == members[member].owner) --member;
+    return members[member].body;
 }
 
-void removeWithinClumps(std::vector<Candidate>& candidates, const ClumpList& clumps)
+void removeWithinBodies(std::vector<Candidate>& candidates, const GeneralBodies& general)
 {
-    const auto clumpOf = [&](int body) { return clumps.memberOf[body] < 0 ? -1 : clumps.members[clumps.memberOf[body]].clump; };
-    const auto isWithin = [&](const Candidate& c) { return c.wall < 0 && clumpOf(c.a) >= 0 && clumpOf(c.a) == clumpOf(c.b); };
+    const auto ownerOf = [&](int body) { return general.memberOf[body] < 0 ? -1 : general.members[general.memberOf[body]].owner; };
+    const auto isWithin = [&](const Candidate& c) { return c.wall < 0 && ownerOf(c.a) >= 0 && ownerOf(c.a) == ownerOf(c.b); };
     candidates.erase(std::remove_if(candidates.begin(), candidates.end(), isWithin), candidates.end());
 }
 
-Batches batchWithClumps(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter)
+Batches batchWithGeneral(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter)
 {
     std::vector<Candidate> single;
     for (const Candidate& c : candidates)
     {
-        if (!isOfClump(list, c)) single.push_back(c);
+        if (!isGeneral(list, c)) single.push_back(c);
     }
     const Batches ofSingle = batchNearAndFar(list, scene, single, diameter);
     Batches all{ofSingle.blocks, std::vector<std::uint32_t>(candidates.size())};
-    list.clumps.firstBlock = ofSingle.blocks;
+    list.general.firstBlock = ofSingle.blocks;
     std::size_t next = 0, last = ofSingle.blocks*blockLanes;
     for (std::size_t k = 0; k < candidates.size(); ++k)
     {
-        all.slotOf[k] = isOfClump(list, candidates[k]) ? last++ : ofSingle.slotOf[next++];
+        all.slotOf[k] = isGeneral(list, candidates[k]) ? last++ : ofSingle.slotOf[next++];
     }
     all.blocks = (last + blockLanes - 1)/blockLanes;
-    list.clumps.slots.resize((all.blocks - ofSingle.blocks)*blockLanes);
+    list.general.slots.resize((all.blocks - ofSingle.blocks)*blockLanes);
     return all;
 }
 

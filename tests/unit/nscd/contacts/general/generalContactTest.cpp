@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The local solver with a full Delassus operator: Coulomb's law itself is the judge.
-#include "nscd/contacts/clumps/generalContact.hpp"
+#include "nscd/contacts/general/generalContact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // One contact by itself: closed-form solution and defect, for solvers that visit contacts one by one.
 #pragma once
 
-#include "nscd/solvers/contactSolver.hpp"
+#include "nscd/solvers/problem/stopRule.hpp"
 
 namespace nscd
 {

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The pass over contacts of general bodies.
+#include "nscd/contacts/general/generalSweep.hpp"
+
+#include "nscd/contacts/general/generalContact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+namespace
+{
+
+Vec3 inBlock(const double (&x)[3][blockLanes], int lane) { return Vec3(x[0][lane], x[1][lane], x[2][lane]); }
+
+void setImpulse(ContactBlock& block, int lane, const Vec3& r)
+{
+    for (int k = 0; k < 3; ++k) block.r[k][lane] = r[k];
+}
+
+/// The two bodies of a contact, each a general one or not. Single grains have their contact at -+R n: with s = R omega, radii drop out.
+template<class BodyPointer, class GeneralReference>
+struct Contact
+{
+    BodyPointer bodies;
+    GeneralReference general;
+    const ContactBlock& block;
+    int lane;
+    const GeneralSlot& slot;
+    Vec3 n;
+
+    Contact(BodyPointer allBodies, GeneralReference allGeneral, const ContactBlock& ofBlock, std::size_t number, int ofLane)
+    :
+        bodies(allBodies),
+        general(allGeneral),
+        block(ofBlock),
+        lane(ofLane),
+        slot(allGeneral.slots[(number - allGeneral.firstBlock)*blockLanes + ofLane]),
+        n(inBlock(ofBlock.n, ofLane))
+    {}
+
+    Vec3 velocity(int owner, const Vec3& arm, int body, double side) const
+    {
+        if (owner >= 0) return general.bodies[owner].v + general.bodies[owner].omega.cross(arm);
+        return Vec3(bodies[body].v) - side*Vec3(bodies[body].s).cross(n);
+    }
+
+    Vec3 relativeVelocity() const
+    {
+        return velocity(slot.ownerA, slot.armA, block.a[lane], 1.0) - velocity(slot.ownerB, slot.armB, block.b[lane], -1.0);
+    }
+
+    /// Changes the velocities of one body by an impulse on it.
+    void push(int owner, const Vec3& arm, int body, double side, const Vec3& impulse) const
+    {
+        if (owner >= 0)
+        {
+            GeneralBody& c = general.bodies[owner];
+            c.v += c.invMass*impulse;
+            c.omega += c.invInertia*arm.cross(impulse);
+            return;
+        }
+        Body& b = bodies[body];
+        const Vec3 moment = side*n.cross(impulse);
+        for (int k = 0; k < 3; ++k)
+        {
+            b.v[k] += b.invMass*impulse[k];
+            b.s[k] -= b.invSpin*moment[k];
+        }
+    }
+
+    void apply(const Vec3& impulse) const
+    {
+        push(slot.ownerA, slot.armA, block.a[lane], 1.0, impulse);
+        push(slot.ownerB, slot.armB, block.b[lane], -1.0, -impulse);
+    }
+};
+
+using MovingContact = Contact<Body*, GeneralBodies&>;
+using ConstContact = Contact<const Body*, const GeneralBodies&>;
+
+bool isUsedLane(const ContactBlock& block, int lane) { return block.invWn[lane] > 0.0; }
+
+/// Natural map of one contact in velocity units, squared.
+double naturalMap(const ContactBlock& block, int lane, const Vec3& n, const Vec3& r, const Vec3& u)
+{
+    const double rn = n.dot(r), un = n.dot(u);
+    const double normal = (rn - std::max(0.0, rn - (un + block.bias[lane])*block.invWn[lane]))/block.invWn[lane];
+    const Vec3 rt = r - rn*n;
+    Vec3 q = rt - (u - un*n)*block.invWt[lane];
+    const double limit = block.friction[lane]*std::max(0.0, rn), size = q.norm();
+    if (size > limit) q *= limit/size;
+    return normal*normal + (rt - q).squaredNorm()/(block.invWt[lane]*block.invWt[lane]);
+}
+
+/// Impulse of a contact with all others held, from its present impulse and relative velocity.
+template<class AnyContact>
+Vec3 solved(const AnyContact& contact, const Vec3& r, const Vec3& u)
+{
+    const GeneralSlot& slot = contact.slot;
+    const ContactBlock& block = contact.block;
+    return solveCoulomb({slot.w, slot.inverse, contact.n, block.bias[contact.lane], block.friction[contact.lane]}, u - slot.w*r);
+}
+
+void add(DefectSums& sums, double defect2, bool isActive)
+{
+    if (isActive)
+    {
+        sums.sumSquares += defect2;
+        sums.active += 1.0;
+    }
+    if (!(defect2 <= sums.maxSquare)) sums.maxSquare = defect2;
+}
+
+} // namespace
+
+Vec3 admissible(const Vec3& r, const Vec3& n, double friction)
+{
+    const double rn = std::max(0.0, n.dot(r));
+    const Vec3 t = r - n.dot(r)*n;
+    const double size = t.norm(), limit = friction*rn;
+    return rn*n + (size > limit ? Vec3(t*(limit/size)) : t);
+}
+
+void giveGeneralImpulses(Body* bodies, const ContactBlock* blocks, GeneralBodies& general, std::size_t k)
+{
+    for (int lane = 0; lane < blockLanes; ++lane)
+    {
+        if (!isUsedLane(blocks[k], lane)) continue;
+        MovingContact(bodies, general, blocks[k], k, lane).apply(inBlock(blocks[k].r, lane));
+    }
+}
+
+DefectSums sweepGeneral(Body* bodies, ContactBlock* blocks, GeneralBodies& general, BlockRange range)
+{
+    DefectSums sums{0.0, 0.0, 0.0};
+    for (std::size_t k = 0; k < range.count; ++k)
+    {
+        ContactBlock& block = blocks[range[k]];
+        for (int lane = 0; lane < blockLanes; ++lane)
+        {
+            if (!isUsedLane(block, lane)) continue;
+            const MovingContact contact(bodies, general, block, range[k], lane);
+            const Vec3 r = inBlock(block.r, lane), u = contact.relativeVelocity();
+            if (r == Vec3::Zero() && contact.n.dot(u) + block.bias[lane] >= 0.0) continue;
+            const Vec3 change = solved(contact, r, u) - r;
+            add(sums, (contact.slot.w*change).squaredNorm(), true);
+            contact.apply(change);
+            setImpulse(block, lane, r + change);
+        }
+    }
+    return sums;
+}
+
+DefectSums evaluateGeneral(const Body* bodies, const std::vector<ContactBlock>& blocks, const GeneralBodies& general)
+{
+    DefectSums sums{0.0, 0.0, 0.0};
+    for (std::size_t k = general.firstBlock; k < blocks.size(); ++k)
+    {
+        const ContactBlock& block = blocks[k];
+        for (int lane = 0; lane < blockLanes; ++lane)
+        {
+            if (!isUsedLane(block, lane)) continue;
+            const ConstContact contact(bodies, general, block, k, lane);
+            const Vec3 r = inBlock(block.r, lane), u = contact.relativeVelocity();
+            const bool isActive = contact.n.dot(r) > 0.0 || contact.n.dot(u) + block.bias[lane] < 0.0;
+            add(sums, naturalMap(block, lane, contact.n, r, u), isActive);
+        }
+    }
+    return sums;
+}
+
+void replaceGeneralImpulses(Body* bodies, ContactBlock* blocks, GeneralBodies& general, BlockRange range, double* target)
+{
+    for (std::size_t k = 0; k < range.count; ++k)
+    {
+        ContactBlock& block = blocks[range[k]];
+        double* values = target + 3*blockLanes*k;
+        for (int lane = 0; lane < blockLanes; ++lane)
+        {
+            if (!isUsedLane(block, lane)) continue;
+            const MovingContact contact(bodies, general, block, range[k], lane);
+            const Vec3 wanted(values[lane], values[blockLanes + lane], values[2*blockLanes + lane]);
+            const Vec3 p = admissible(wanted, contact.n, block.friction[lane]);
+            contact.apply(p - inBlock(block.r, lane));
+            setImpulse(block, lane, p);
+            for (int axis = 0; axis < 3; ++axis) values[axis*blockLanes + lane] = p[axis];
+        }
+    }
+}
+
+GeneralChange generalChange(const Body* bodies, const ContactBlock* blocks, const GeneralBodies& general, std::size_t slot)
+{
+    const ConstContact contact(bodies, general, blocks[slot/blockLanes], slot/blockLanes, slot % blockLanes);
+    const Vec3 r = inBlock(contact.block.r, contact.lane);
+    const Vec3 change = solved(contact, r, contact.relativeVelocity()) - r;
+    return {change, (contact.slot.w*change).norm()};
+}
+
+void applyGeneralChange(Body* bodies, ContactBlock* blocks, GeneralBodies& general, std::size_t slot, const Vec3& change)
+{
+    ContactBlock& block = blocks[slot/blockLanes];
+    const MovingContact contact(bodies, general, block, slot/blockLanes, slot % blockLanes);
+    contact.apply(change);
+    setImpulse(block, contact.lane, inBlock(block.r, contact.lane) + change);
+}
+
+bool isGeneralBlockActive(const Body* bodies, const ContactBlock* blocks, const GeneralBodies& general, std::size_t k)
+{
+    const ContactBlock& block = blocks[k];
+    for (int lane = 0; lane < blockLanes; ++lane)
+    {
+        if (!isUsedLane(block, lane)) continue;
+        if (!(block.bias[lane] > 0.0) || inBlock(block.r, lane) != Vec3::Zero()) return true;
+        const ConstContact contact(bodies, general, block, k, lane);
+        if (contact.n.dot(contact.relativeVelocity()) + block.bias[lane] < 0.0) return true;
+    }
+    return false;
+}
+
+} // namespace nscd

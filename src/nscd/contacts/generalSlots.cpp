@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Arms, Delassus operators and impulses of general contacts.
+#include "nscd/contacts/generalSlots.hpp"
+
+#include "nscd/contacts/general/generalSweep.hpp"
+
+#include <algorithm>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Delassus operator of one side.
+Eigen::Matrix3d mobility(const ContactList& list, int owner, const Vec3& arm, int body, const Vec3& n)
+{
+    const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
+    if (owner < 0) return list.bodies[body].invMass*one + list.bodies[body].invSpin*(one - n*n.transpose());
+    const Eigen::Matrix3d cross = crossMatrix(arm);
+    return list.general.bodies[owner].invMass*one - cross*list.general.bodies[owner].invInertia*cross;
+}
+
+/// General body, if any, and arm of a contact with a body whose surface it touches at `side` R n from the body's center.
+void setSide(const ContactList& list, int body, const Vec3& toContact, int& owner, Vec3& arm)
+{
+    const int member = body < list.owned() ? list.general.memberOf[body] : -1;
+    owner = member >= 0 ? list.general.members[member].owner : -1;
+    arm = member >= 0 ? Vec3(list.general.members[member].arm + list.radius[body]*toContact) : Vec3(Vec3::Zero());
+}
+
+void setOperator(ContactList& list, std::size_t slot)
+{
+    ContactBlock& block = list.blocks[slot/blockLanes];
+    const int lane = slot % blockLanes;
+    GeneralSlot& contact = list.general.slots[slot - list.general.firstBlock*blockLanes];
+    const Vec3 n = normal(list, slot);
+    setSide(list, block.a[lane], -n, contact.ownerA, contact.armA);
+    setSide(list, block.b[lane], n, contact.ownerB, contact.armB);
+    contact.w = mobility(list, contact.ownerA, contact.armA, block.a[lane], n)
+              + mobility(list, contact.ownerB, contact.armB, block.b[lane], n);
+    contact.inverse = contact.w.inverse();
+    const double wn = n.dot(contact.w*n);
+    block.invWn[lane] = 1.0/wn;
+    block.invWt[lane] = 2.0/(contact.w.trace() - wn);
+}
+
+} // namespace
+
+void prepareGeneralSlots(ContactList& list, double deltaT, double deadBand, double unreachable, double impulseScale)
+{
+    for (std::size_t k = list.general.firstBlock; k < list.blocks.size(); ++k)
+    {
+        ContactBlock& block = list.blocks[k];
+        for (int lane = 0; lane < blockLanes; ++lane)
+        {
+            const std::size_t slot = k*blockLanes + lane;
+            if (!list.isUsed(slot)) continue;
+            setOperator(list, slot);
+            block.bias[lane] = list.gap[slot] > deadBand ? std::min(list.gap[slot], unreachable*deltaT)/deltaT : 0.0;
+            setImpulse(list, slot, admissible(impulseScale*impulse(list, slot), normal(list, slot), block.friction[lane]));
+        }
+        // Closing is judged by the free motion, so all blocks come before any impulse.
+        if (isGeneralBlockActive(list.bodies.data(), list.blocks.data(), list.general, k)) list.awake.push_back(static_cast<std::uint32_t>(k));
+    }
+    for (std::size_t k = list.general.firstBlock; k < list.blocks.size(); ++k)
+    {
+        giveGeneralImpulses(list.bodies.data(), list.blocks.data(), list.general, k);
+    }
+}
+
+} // namespace nscd

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Passes over contacts, on one rank and across several.
+#include "nscd/solvers/problem/contactProblem.hpp"
+
+#include "nscd/contacts/general/generalSweep.hpp"
+#include "nscd/kernels/blockPrefetch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+namespace
+{
+
+DefectSums overRanks(const Halo& halo, const DefectSums& one, const DefectSums& other)
+{
+    double sums[2] = {one.sumSquares + other.sumSquares, one.active + other.active};
+    double max = std::max(one.maxSquare, other.maxSquare);
+    halo.sumAndMax(sums, max);
+    return {sums[0], max, sums[1]};
+}
+
+void add(DefectSums& sums, const DefectSums& more)
+{
+    sums.sumSquares += more.sumSquares;
+    sums.active += more.active;
+    if (!(more.maxSquare <= sums.maxSquare)) sums.maxSquare = more.maxSquare;
+}
+
+} // namespace
+
+DefectSums sweepBlocks(ContactProblem& problem, BlockRange range, const SweepOn& on)
+{
+    const SweepKernels& kernels = problem.kernels;
+    if (on.before)
+    {
+        const MomentumSweepFunction sweepOn = problem.isFrictional ? kernels.sweepOn : kernels.sweepOnFrictionless;
+        return sweepOn(problem.bodies.data(), problem.blocks.data(), range, on.before, on.theta);
+    }
+    const SweepFunction sweep = problem.isFrictional ? kernels.sweep : kernels.sweepFrictionless;
+    const DefectSums contacts = sweep(problem.bodies.data(), problem.blocks.data(), range);
+    return problem.laws ? problem.laws->sweep(contacts, problem.bodies.data(), problem.blocks.data(), range) : contacts;
+}
+
+double rms(const DefectSums& sums) { return std::sqrt(sums.sumSquares/std::max(1.0, sums.active)); }
+
+BlockRange ContactProblem::inner() const
+{
+    const auto end = std::lower_bound(awake.begin(), awake.end(), interfaceBlock);
+    return {awake.data(), static_cast<std::size_t>(end - awake.begin())};
+}
+
+BlockRange ContactProblem::interface() const
+{
+    const std::size_t inside = inner().count;
+    return {awake.data() + inside, awake.size() - inside};
+}
+
+BlockRange ContactProblem::activeGeneral() const
+{
+    const auto begin = std::lower_bound(awake.begin(), awake.end(), general->firstBlock);
+    return {awake.data() + (begin - awake.begin()), static_cast<std::size_t>(awake.end() - begin)};
+}
+
+DefectSums sweepActive(ContactProblem& problem, const SweepOn& on)
+{
+    const BlockRange insideRank = problem.inner();
+    DefectSums inner = sweepBlocks(problem, insideRank, on);
+    if (problem.general) add(inner, sweepGeneral(problem.bodies.data(), problem.blocks.data(), *problem.general, problem.activeGeneral()));
+    if (!problem.halo.isParallel()) return inner;
+    problem.halo.giveVelocities(problem.bodies);
+    const SweepOn onBetween{on.before ? on.before + 3*blockLanes*insideRank.count : nullptr, on.theta};
+    const DefectSums between = sweepBlocks(problem, problem.interface(), onBetween);
+    problem.halo.takeVelocities(problem.bodies);
+    return overRanks(problem.halo, inner, between);
+}
+
+void replaceImpulses(ContactProblem& problem, std::vector<double>& target)
+{
+    const BlockRange inner = problem.inner();
+    problem.kernels.replaceImpulses(problem.bodies.data(), problem.blocks.data(), inner, target.data());
+    if (problem.general)
+    {
+        double* ofGeneral = target.data() + 3*blockLanes*inner.count;
+        replaceGeneralImpulses(problem.bodies.data(), problem.blocks.data(), *problem.general, problem.activeGeneral(), ofGeneral);
+    }
+    if (!problem.halo.isParallel()) return;
+    double* between = target.data() + 3*blockLanes*inner.count;
+    problem.halo.giveVelocities(problem.bodies);
+    problem.kernels.replaceImpulses(problem.bodies.data(), problem.blocks.data(), problem.interface(), between);
+    problem.halo.takeVelocities(problem.bodies);
+}
+
+DefectSums residualOfActive(ContactProblem& problem)
+{
+    if (problem.laws || problem.general) return residual(problem);
+    const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
+    problem.halo.giveVelocities(problem.bodies);
+    const DefectSums here = evaluate(problem.bodies.data(), problem.blocks.data(), problem.active());
+    return problem.halo.isParallel() ? overRanks(problem.halo, here, {0.0, 0.0, 0.0}) : here;
+}
+
+DefectSums residual(ContactProblem& problem)
+{
+    const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
+    problem.halo.giveVelocities(problem.bodies);
+    ContactBlock* const blocks = problem.blocks.data() + problem.firstBlock;
+    DefectSums here = evaluate(problem.bodies.data(), blocks, {nullptr, problem.all().count - problem.firstBlock});
+    if (problem.laws) here = problem.laws->evaluate(here, problem.bodies.data(), problem.blocks.data(), problem.all());
+    if (problem.general) add(here, evaluateGeneral(problem.bodies.data(), problem.blocks, *problem.general));
+    if (problem.leftOut) add(here, problem.leftOut->defects(problem));
+    return problem.halo.isParallel() ? overRanks(problem.halo, here, {0.0, 0.0, 0.0}) : here;
+}
+
+bool wakeBlocks(ContactProblem& problem)
+{
+    if (problem.leftOut) return problem.leftOut->wake(problem);
+    const std::size_t before = problem.awake.size();
+    std::vector<std::uint32_t> asleep;
+    std::size_t next = 0;
+    for (std::uint32_t k = problem.firstBlock; k < problem.blocks.size(); ++k)
+    {
+        const bool isAwake = next < before && problem.awake[next] == k;
+        if (isAwake) ++next;
+        else asleep.push_back(k);
+    }
+    problem.halo.giveVelocities(problem.bodies);
+    const auto isActive = [&](std::uint32_t k)
+    {
+        if (problem.general && k >= problem.general->firstBlock)
+        {
+            return isGeneralBlockActive(problem.bodies.data(), problem.blocks.data(), *problem.general, k);
+        }
+        // Asleep, nothing is carried: what the law asks for is normal, so the frictionless evaluation tells.
+        return problem.kernels.evaluateFrictionless(problem.bodies.data(), &problem.blocks[k], {nullptr, 1}).active > 0.0;
+    };
+    std::vector<std::uint32_t> woken;
+    for (std::size_t m = 0; m < asleep.size(); ++m)
+    {
+        prefetch(problem.bodies.data(), problem.blocks.data(), {asleep.data(), asleep.size()}, m);
+        if (isActive(asleep[m])) woken.push_back(asleep[m]);
+    }
+    // Ranges of the list stay valid unless it grows.
+    if (!woken.empty())
+    {
+        std::vector<std::uint32_t> awake(before + woken.size());
+        std::merge(problem.awake.begin(), problem.awake.end(), woken.begin(), woken.end(), awake.begin());
+        problem.awake = std::move(awake);
+    }
+    return problem.halo.any(!woken.empty());
+}
+
+} // namespace nscd

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Free velocities and motion of clumps.
+#include "nscd/step/generalMotion.hpp"
+
+#include "nscd/base/freeRotation.hpp"
+#include "nscd/base/invalidValue.hpp"
+
+#include <algorithm>
+
+namespace nscd
+{
+
+namespace
+{
+
+void refuseDrag(const Grains& grains, const std::vector<double>& drag, int grain)
+{
+    if (drag.empty() || drag[grain] == 0.0) return;
+    throw invalidValue("implicit drag on grain " + std::to_string(grains.id[grain]), drag[grain], "0 for members of clumps");
+}
+
+/// Where there is an empty axis nothing moves along it, or turns about another, by round-off.
+void flatten(const GrainShape& shape, Vec3& v, Vec3& omega)
+{
+    if (shape.emptyAxis < 0) return;
+    const Vec3 axis = Vec3::Unit(shape.emptyAxis);
+    v = v.cwiseProduct(Vec3::Ones() - axis);
+    omega = omega.cwiseProduct(axis);
+}
+
+void setMotion(Body& body, const Vec3& v, const Vec3& omega, const Vec3& arm, double radius)
+{
+    const Vec3 x = v + omega.cross(arm), s = radius*omega;
+    for (int k = 0; k < 3; ++k)
+    {
+        body.v[k] = x[k];
+        body.s[k] = s[k];
+    }
+}
+
+} // namespace
+
+void checkGeneralBodies
+(
+    const Grains& grains, const PeriodicBox& box, const Exchange& exchange, const ContactSettings& settings, const Materials& materials
+)
+{
+    checkClumps(grains, box);
+    if (grains.clumps.empty()) return;
+    if (exchange.isParallel()) throw invalidValue("number of ranks", "more than one", "one where there are clumps");
+    if (settings.solver != "NLGS") throw invalidValue("contact solver", settings.solver, "NLGS where there are clumps");
+    for (const ContactLawRow* law : lawsInUse(materials)) throw invalidValue(law->words, "set", "none where there are clumps");
+}
+
+void setFreeGeneral(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT)
+{
+    const Clumps& clumps = grains.clumps;
+    std::vector<Vec3> force(clumps.size(), Vec3::Zero()), torque = force;
+    for (GeneralMember& member : list.general.members)
+    {
+        const int grain = list.grainOf[member.body];
+        refuseDrag(grains, forces.implicitDrag, grain);
+        refuseDrag(grains, forces.implicitSpinDrag, grain);
+        if (!forces.force.empty()) force[member.owner] += forces.force[grain];
+        if (!forces.torque.empty()) torque[member.owner] += forces.torque[grain];
+        member.arm = clumps.orientation[member.owner]*member.center;
+    }
+    for (std::size_t c = 0; c < clumps.size(); ++c)
+    {
+        GeneralBody& body = list.general.bodies[c];
+        const ClumpShape& shape = clumps.shapeOf(c);
+        body.invMass = 1.0/shape.mass;
+        body.inertia = grains.shape.dimensions == 2 ? shape.inertia : worldInertia(clumps, c);
+        body.invInertia = body.inertia.inverse();
+        flatten(grains.shape, force[c], torque[c]);
+        body.freeMomentum = clumps.angularMomentum[c] + deltaT*torque[c];
+        body.v = body.freeV = clumps.velocity[c] + deltaT/shape.mass*force[c];
+        body.omega = body.freeOmega = midpointSpin(clumps.orientation[c], shape.inertia, body.freeMomentum, deltaT);
+    }
+    // No kernel moves members; whoever compares the masses of bodies finds those of clumps.
+    for (const GeneralMember& member : list.general.members)
+    {
+        list.bodies[member.body].invMass = list.general.bodies[member.owner].invMass;
+        list.bodies[member.body].invSpin = 0.0;
+    }
+    takeGeneralVelocities(list, grains.shape);
+}
+
+void takeGeneralVelocities(ContactList& list, const GrainShape& shape)
+{
+    for (GeneralBody& body : list.general.bodies) flatten(shape, body.v, body.omega);
+    for (const GeneralMember& member : list.general.members)
+    {
+        const GeneralBody& owner = list.general.bodies[member.owner];
+        setMotion(list.bodies[member.body], owner.v, owner.omega, member.arm, list.radius[member.body]);
+    }
+}
+
+void mirrorFreeGeneral(const ContactList& list, std::vector<Body>& bodies)
+{
+    for (const GeneralMember& member : list.general.members)
+    {
+        const GeneralBody& owner = list.general.bodies[member.owner];
+        setMotion(bodies[member.body], owner.freeV, owner.freeOmega, member.arm, list.radius[member.body]);
+    }
+}
+
+void putMembers(ContactList& list, Grains& grains, const PeriodicBox& box)
+{
+    const Clumps& clumps = grains.clumps;
+    for (const GeneralMember& member : list.general.members)
+    {
+        const int grain = list.grainOf[member.body];
+        const Vec3 target = clumps.position[member.owner] + clumps.orientation[member.owner]*member.center;
+        Vec3& position = list.position[member.body];
+        position += box.nearestImage(target - position);
+        grains.position[grain] = box.wrap(target);
+        grains.orientation[grain] = clumps.orientation[member.owner];
+    }
+}
+
+void moveGeneral(ContactList& list, Grains& grains, const PeriodicBox& box, double deltaT)
+{
+    for (std::size_t c = 0; c < list.general.bodies.size(); ++c)
+    {
+        displace(grains, c, deltaT*list.general.bodies[c].v, deltaT*list.general.bodies[c].omega, box);
+    }
+    putMembers(list, grains, box);
+}
+
+void displace(Grains& grains, std::size_t general, const Vec3& shift, const Vec3& turn, const PeriodicBox& box)
+{
+    Clumps& clumps = grains.clumps;
+    clumps.position[general] = box.wrap(clumps.position[general] + shift);
+    if (turn == Vec3::Zero()) return;
+    clumps.orientation[general] = (rotationBy(turn)*clumps.orientation[general]).normalized();
+}
+
+void copyGeneralVelocities(const ContactList& list, Grains& grains)
+{
+    Clumps& clumps = grains.clumps;
+    for (std::size_t c = 0; c < clumps.size(); ++c)
+    {
+        const GeneralBody& body = list.general.bodies[c];
+        clumps.velocity[c] = body.v;
+        clumps.angularMomentum[c] = body.freeMomentum + body.inertia*(body.omega - body.freeOmega);
+    }
+}
+
+} // namespace nscd

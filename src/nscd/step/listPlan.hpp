@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// How far grains may travel, and for how long, before a contact list is stale.
+#pragma once
+
+#include "nscd/contacts/contactList.hpp"
+
+namespace nscd
+{
+
+/// What a list is made for.
+struct ListPlan
+{
+    std::vector<double> speed;    ///< of each grain, what its reach allows for during the time of `expected` [m/s]
+    ExpectedMotion expected;      ///< without velocities where no paths are expected
+};
+
+/// For grains that go on as they do, and impacts that may throw them off their paths: from the candidates of the list so far.
+/// `velocity`: of each grain [m/s]; `diameter`: mean [m].
+ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity, double diameter, double deltaT);
+
+/// For grains as fast as each is, or as `common` [m/s]: a slow grain may be hit, and be as fast as the others at the end of a step.
+ListPlan planBySpeeds(const std::vector<Vec3>& velocity, double common, double time);
+
+} // namespace nscd
