@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
-"""Where beds stay at rest: depth against cap of sweeps, for tolerances and time steps, with and without the guard of the library.
+"""Where beds stay at rest: depth against cap of sweeps, for tolerances and time steps.
 
 tests/benchmark/run stabilityMap [long]. Long: more depths, caps and steps. Beds are settled in build/beds when they are missing."""
 
@@ -25,15 +25,15 @@ def isAtRest(row):
     return row["energy"] < ENERGY and row["baseError"] < BASE and abs(row["sunk"]) < SUNK
 
 
-def measure(table, size, guard):
+def measure(table, size):
     rows = []
     for layers in size["layers"]:
-        command = [PROGRAM, layers, size["steps"], ",".join(map(str, size["caps"])), ",".join(TOLERANCES), ",".join(STEPS_OF_TIME), guard]
+        command = [PROGRAM, layers, size["steps"], ",".join(map(str, size["caps"])), ",".join(TOLERANCES), ",".join(STEPS_OF_TIME)]
         output = subprocess.run(list(map(str, command)), cwd=BEDS, check=True, stdout=subprocess.PIPE, text=True).stdout
         for row in csv.DictReader(output.splitlines()):
             row = {name: float(row[name]) for name in COLUMNS}
             rows.append(row)
-            table.add(guard, *(row[name] for name in COLUMNS), int(isAtRest(row)))
+            table.add(*(row[name] for name in COLUMNS), int(isAtRest(row)))
     return rows
 
 
@@ -42,26 +42,23 @@ def draw(rows, size):
     for i, deltaT in enumerate(map(float, STEPS_OF_TIME)):
         for j, tolerance in enumerate(map(float, TOLERANCES)):
             ax = axes[i][j]
-            for guard, shift, marker in ((0, 0.93, "o"), (1, 1.07, "s")):
-                for row in rows[guard]:
-                    if (row["deltaT"], row["tolerance"]) != (deltaT, tolerance):
-                        continue
-                    color = "tab:green" if isAtRest(row) else "tab:red"
-                    ax.loglog(row["cap"], row["layers"]*shift, marker, color=color, markersize=5)
+            for row in rows:
+                if (row["deltaT"], row["tolerance"]) == (deltaT, tolerance):
+                    ax.loglog(row["cap"], row["layers"], "o", color="tab:green" if isAtRest(row) else "tab:red", markersize=5)
             ax.set_title("dt %g s, tolerance %g" % (deltaT, tolerance), fontsize=9)
     for ax in axes[-1]:
         ax.set_xlabel("cap of sweeps")
     for row in axes:
         row[0].set_ylabel("layers")
-    figure.suptitle("green: stays at rest; circles: cap as given, squares: the library may raise it", fontsize=9)
+    figure.suptitle("green: stays at rest", fontsize=9)
     savePicture(figure, "stabilityMap")
 
 
 def main():
     size = LONG if "long" in sys.argv[1:] else SHORT
     BEDS.mkdir(parents=True, exist_ok=True)
-    table = Table("stabilityMap", ["guard", *COLUMNS, "atRest"])
-    rows = [measure(table, size, guard) for guard in (0, 1)]
+    table = Table("stabilityMap", [*COLUMNS, "atRest"])
+    rows = measure(table, size)
     table.save()
     draw(rows, size)
 

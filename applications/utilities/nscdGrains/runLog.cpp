@@ -123,7 +123,6 @@ void RunLog::step(const StepRow& row, std::int64_t number, bool isWritten)
             solve.residualRms, solve.residualMax, row.report.overlapMax
         )
         << progress(row.time) << (isWritten ? ", written" : "");
-    if (solve.isolated > 0) os_ << "; " << solve.isolated << " isolated";
     if (row.report.asleep > 0) os_ << "; " << row.report.asleep << " asleep";
     if (atCapSinceLine_ > 0) os_ << "; " << atCapSinceLine_ << " steps at the cap since the last line";
     os_ << std::endl;

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <array>
-#include <iterator>
 
 namespace nscd
 {
@@ -155,28 +154,6 @@ Candidates findCandidates
     found.inner.insert(found.inner.end(), wall, walls.end());
     if (!list.general.empty()) removeWithinBodies(found.inner, list.general);
     return found;
-}
-
-void takeIsolated(const ContactList& list, Candidates& candidates)
-{
-    std::vector<unsigned char> number(list.firstWallBody(), 0);  // of candidates, up to two
-    for (const Candidate& c : candidates.inner)
-    {
-        number[c.a] += number[c.a] < 2;
-        if (c.b >= 0) number[c.b] += number[c.b] < 2;
-    }
-    for (const Candidate& c : candidates.interface) number[list.ownBody(c.a)] = 2;
-    for (int body : list.halo.shared()) number[body] = 2;
-    for (int body = 0; body < list.owned(); ++body)
-    {
-        if (list.inverseMass[body] == 0.0) number[body] = 0;
-    }
-
-    const auto isCoupled = [&](const Candidate& c) { return number[c.a] > 1 || (c.b >= 0 && number[c.b] > 1); };
-    std::vector<Candidate>& inner = candidates.inner;
-    if (std::all_of(inner.begin(), inner.end(), isCoupled)) return;
-    std::copy_if(inner.begin(), inner.end(), std::back_inserter(candidates.isolated), [&](const Candidate& c) { return !isCoupled(c); });
-    inner.erase(std::remove_if(inner.begin(), inner.end(), [&](const Candidate& c) { return !isCoupled(c); }), inner.end());
 }
 
 Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter)

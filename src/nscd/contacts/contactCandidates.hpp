@@ -15,7 +15,6 @@ namespace nscd
 /// Candidates among own bodies and between these and walls, ordered by body; and those with ghosts that this rank solves.
 struct Candidates
 {
-    std::vector<Candidate> isolated;   ///< see takeIsolated
     std::vector<Candidate> inner;
     std::vector<Candidate> interface;
 };
@@ -29,9 +28,6 @@ Candidates findCandidates
     ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
     const WallSearch& wallSearch
 );
-
-/// Moves the candidates none of whose grains has another one, on any rank, from `inner` to `isolated`. Held grains join nothing.
-void takeIsolated(const ContactList& list, Candidates& candidates);
 
 /// Packs candidates into blocks, near ones into blocks of their own, so that blocks of far ones can be left out of sweeps.
 Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter);

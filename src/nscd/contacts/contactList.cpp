@@ -153,14 +153,12 @@ void joinHalo(ContactList& list, std::vector<Candidate>& interface, Exchange& ex
 void addWallBodies(ContactList& list, const Scene& scene, Candidates& candidates)
 {
     int next = list.firstWallBody();
-    for (std::vector<Candidate>* part : {&candidates.isolated, &candidates.inner})
-    for (Candidate& c : *part)
+    for (Candidate& c : candidates.inner)
     {
         if (c.wall >= 0 && scene.walls.patches[scene.walls.regions[c.wall].patch].hasVelocity()) c.b = next++;
     }
     list.bodies.assign(next + 1, Body{});
-    for (std::vector<Candidate>* part : {&candidates.isolated, &candidates.inner})
-    for (Candidate& c : *part)
+    for (Candidate& c : candidates.inner)
     {
         if (c.b < 0) c.b = list.staticBody();
     }
@@ -202,14 +200,10 @@ Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candid
 {
     addWallBodies(list, scene, candidates);
 
-    Batches isolated = batchNearAndFar(list, scene, candidates.isolated, diameter);
     Batches inner = list.general.empty() ? batchNearAndFar(list, scene, candidates.inner, diameter) : batchWithGeneral(list, scene, candidates.inner, diameter);
     Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
-    reserveBlocks(list, scene, isolated.blocks + inner.blocks + interface.blocks);
+    reserveBlocks(list, scene, inner.blocks + interface.blocks);
     const std::vector<int> material = materialOfBodies(list, scene);
-    appendBlocks(list, scene, material, candidates.isolated, isolated);
-    findMovingSlots(list, candidates.isolated, isolated);
-    list.isolatedBlocks = list.blocks.size();
     appendBlocks(list, scene, material, candidates.inner, inner);
     groupWallSlots(list, scene, candidates.inner, inner);
     findMovingSlots(list, candidates.inner, inner);
@@ -246,7 +240,6 @@ ContactList buildContactList
         addGhosts(list, list.ghosts);
         joinHalo(list, candidates.interface, exchange);
     }
-    if (!list.laws.areSwept() && list.general.empty()) takeIsolated(list, candidates);
     packCandidates(list, scene, candidates, diameter);
     return list;
 }

@@ -54,7 +54,6 @@ struct ContactList
 
     // Per slot.
     std::vector<ContactBlock> blocks;
-    std::size_t isolatedBlocks = 0;         ///< the first ones: contacts none of whose grains has another one (isolatedPairs.hpp)
     std::size_t interfaceBlock = 0;         ///< from this block on contacts join grains of two ranks
     std::vector<double> gap;                ///< [m]
     std::vector<int> wall;                  ///< wall region, or -1 for a pair of grains

@@ -22,8 +22,6 @@ struct ContactSettings
     double displacementTolerance = 3e-4;
     /// Sweeps after which a solve gives up, counted and reported.
     int maxSweeps = 1000;
-    /// Whether a smaller cap than the default one is raised while step after step ends at it: see CapGuard.
-    bool raiseCap = true;
     /// Sweeps a step may add, once its tolerance is met, to come nearer to rest where the grains hardly move; 0: none.
     int polishSweeps = 20;
     /// Gaps within +-deadBand d count as closed, so that the set of active contacts keeps still.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// What shortens a contact solve beyond plain sweeps from a warm start, with every number that tunes it.
+// What shortens a contact solve beyond plain sweeps from a warm start, with every number that tunes it and the measurement behind it.
 #pragma once
 
 #include <cstddef>
@@ -9,100 +9,107 @@
 namespace nscd
 {
 
-/// Helps of a solve by sweeps. No dictionary reads these numbers: the benchmark `ablation` measures what each help is worth, and src/nscd/measured.md
-/// keeps the figures. "Flow": most grains move; "cold": no contact carries an impulse at the start.
+/// Helps of a solve by sweeps. No dictionary reads these numbers. What each help is worth is measured by `tests/benchmark/run ablation`, which switches them off one
+/// by one; the table is in src/nscd/measured.md. A flow: most grains move. Cold: no contact carries an impulse at the start. Limits: those of the stop rule.
+/// Tested by tests/unit/nscd/solvers/contactSolverTest.cpp
 struct SolverStrategy
 {
-    /// A bed that hardly moves is solved on beyond its tolerance: what a solve leaves keeps it moving, and moving grains leave the dead band.
+    /// A bed that hardly moves is solved on beyond its tolerance: what a solve leaves keeps grains moving, and those leave the dead band.
     struct Polish
     {
-        double perMotion = 10.0;    ///< limits of a polished solution per unit of motion [-]: a step takes about a decade off the noise
+        double perMotion = 10.0;    ///< limits of a polished solution per unit of motion [-]: a step then takes about a decade off the noise
         double finest = 3e-3;       ///< of both limits, the least that is asked for [-]
-        double loneDefect = 10.0;   ///< largest defect over the rms limit [-]: a grain that can roll is driven by what one contact is off by
+        double loneDefect = 10.0;   ///< largest defect over the rms limit [-]: a grain that can roll is driven by what a single contact is off by
     } polish;
 
-    /// In flows the residual after a sweep is looked at where it may meet the rule though what the sweep met did not. Costs most of a sweep.
+    /// After a sweep of a flow the residual is looked at where it may meet the rule though what the sweep met did not. A look costs most of a sweep.
     struct Looks
     {
         bool isOn = true;
         int sweepsBetween = 2;
-        double nearly = 1.02;       ///< of the rms limit, what a sweep is expected to leave [-]
-        double share = 0.6;         ///< of the rms that it meets, what a sweep leaves, until it is known: with momentum; a little more without [-]
+        double nearly = 1.02;       ///< expected residual over the limit up to which a look is worth it [-]
+        double share = 0.6;         ///< of the rms that a sweep meets, what it leaves, until a look tells [-]: so with momentum, a little more without
     } looks;
 
-    /// Contacts that no other contact shares a grain with are solved exactly, once.
-    bool isolatedPairs = true;
+    /// Blocks without a loaded or closing contact are left out of sweeps. Whether any of them should carry an impulse by now is asked after 1, 2, 4, 8, ... sweeps,
+    /// in flows after 1, 4, 16, ...: each block that wakes ends the history that momentum lives on (a collapse takes 81 sweeps a step so, 96 with every power of two).
+    struct Waking
+    {
+        int mostBetween = 64;       ///< sweeps
+        int firstPacked = 8;        ///< sweeps, of a packed problem, then after 16, 32, ...: in a collapse 588 000 visits of blocks a step; after 1, 4, 8, 16, 24, 32: 608 000
+    } waking;
 
-    /// Contacts that matter are packed into full blocks for a long solve of a flow on one rank: three lanes in ten carry nothing. Costs five sweeps, saves a fifth of each.
+    /// The contacts that matter are packed into full blocks for a long solve of a flow on one rank: three lanes in ten of active blocks carry nothing. Costs as much as
+    /// five sweeps, saves a fifth of each.
     struct Packing
     {
         bool isOn = true;
         int longSolve = 30;                ///< sweeps of the last solve
         std::size_t largeProblem = 256;    ///< active blocks
-        double nearlyClosing = 0.008;      ///< gaps that stay nearer than this are packed too [d]
+        /// Gaps that stay nearer than this are packed too [d]: what comes in later disturbs what is solved. In a collapse 0.005, 0.008 and 0.012 take 589 000, 588 000 and
+        /// 610 000 visits of blocks a step, 0 takes 950 000.
+        double nearlyClosing = 0.008;
     } packing;
 
-    /// When a solve is slow enough for momentum or mixing.
+    /// When a solve is so slow that momentum or mixing is worth it. Both overshoot, and where friction makes impulses indeterminate an overshoot stays as self-stress: small
+    /// scenes are better off without.
     struct Slowness
     {
-        int patience = 10, coldPatience = 5, flowPatience = 3;   ///< sweeps before it is judged
-        double fastContraction = 0.93, fastFlowContraction = 0.85;   ///< of the rms in a sweep [-]: quicker ones need no help
-        double growthAllowed = 4.0;    ///< of the sum of squared defects [-]: a step after which it grows by more is taken back
-        int probation = 60;            ///< sweeps in which the sum of squared defects must fall below
-        double leastProgress = 0.9;    ///< this share of what it was [-], else help pauses
-        int pause = 30;                ///< sweeps; doubled each time
+        int patience = 10, coldPatience = 5, flowPatience = 3;       ///< sweeps before it is judged, the last one the least
+        double fastContraction = 0.93, fastFlowContraction = 0.85;   ///< of the rms in a sweep [-], quicker ones need no help; first sweeps of flows tell of a steep beginning
+        double growthAllowed = 4.0;    ///< of the sum of squared defects [-]: a help after which it grows by more is taken back
+        int probation = 60;            ///< sweeps in which the sum of squared defects must fall below `leastProgress`
+        double leastProgress = 0.9;    ///< of what it was [-], else the help pauses: high friction can trap it
+        int pause = 30;                ///< sweeps, twice as many each time
     } slowness;
 
-    /// Momentum of sweeps: in cold solves, and in flows.
+    /// Momentum of sweeps: in cold solves, and in flows (sweepMomentum.hpp).
     struct Momentum
     {
         bool isOn = true;
-        double limitPerDepth = 1.2, leastLimit = 0.9, mostLimit = 0.99;   ///< cold: theta <= 1 - limitPerDepth/depth [d], within these
-        double flowing = 0.9, near = 0.8;    ///< theta in flows, and near the solution [-]
-        double nearRule = 6.0;               ///< near: rms below this many limits
+        /// Cold: theta <= 1 - limitPerDepth/depth [d], within these. With 1 and 1.2 beds 10 to 75 d deep take about as many sweeps (to 1e-3), with 0.5 or 3 up to twice as many.
+        double limitPerDepth = 1.2, leastLimit = 0.9, mostLimit = 0.99;
+        /// theta in flows, and near the solution [-]. Frozen problems of a collapse, rms to 1e-2 vs: 110, 80, 72, 78 sweeps with 0.7, 0.8, 0.85, 0.88 throughout; 67 with 0.9, then
+        /// 0.8; 66 with 0.92, then 0.8; 69 with 0.9, then 0.7. Much momentum brings far changes and keeps a defect of its own.
+        double flowing = 0.9, near = 0.8;
+        double nearRule = 6.0;         ///< near: an rms below this many limits
     } momentum;
 
-    /// Anderson mixing of sweeps: in warm solves of what hardly moves.
+    /// Anderson mixing of sweeps: in warm solves where grains hardly move (andersonAcceleration.hpp).
     struct Mixing
     {
         bool isOn = true;
+        /// Mixed every sweep, a bed near rest keeps speeds of 4e-5 g dt in place of 1e-5, and its wall forces err by 1e-6 of the weight in place of 1e-7.
         int sweepsBetween = 3;
     } mixing;
 
-    /// When only single contacts are off they are worked off one by one.
+    /// When single contacts alone are off they are worked off one by one: clusters that wedge or slip take hundreds of visits (contactQueue.hpp).
     struct Queue
     {
         bool isOn = true;
         int sweepsBetween = 10;
-        double shareOfLimit = 0.5, shareInFlow = 0.7;   ///< of the largest defect allowed, what it leaves [-]
-        std::size_t mostSweeps = 20;                    ///< visits over contacts
+        double shareOfLimit = 0.5, shareInFlow = 0.7;   ///< of the largest defect allowed, what it leaves [-]; 0.7 takes half the visits in flows
+        std::size_t mostSweeps = 20;                    ///< visits over contacts, at most
     } queue;
 
-    /// A polished solution but for some contacts is swept around these alone.
+    /// A solution that is polished but for some contacts is swept around these alone (loneDefects.hpp).
     struct LoneDefects
     {
         bool isOn = true;
-        int contactsAway = 3;
+        int contactsAway = 3;          ///< farther away the defects that a few sweeps carry there are below the limit
         double mostSweeps = 100.0;
         double mostWork = 5.0;         ///< in sweeps over all contacts
     } loneDefects;
 
-    /// When Newton's method takes over.
+    /// When Newton's method takes over (directHelp.hpp).
     struct Direct
     {
         bool isOn = true;
-        double harmlessMassRatio = 50.0;
-        int firstLook = 500;           ///< sweeps
-        double mostPerCap = 10.0;      ///< sweeps up to the cap, what it may cost at rest; in a flow one
-        double restMotion = 0.1;       ///< motion below which a bed counts as at rest [-]
+        double harmlessMassRatio = 50.0;   ///< across a loaded contact. Base force of a stack of 19 under a body 100 times as heavy, by sweeps alone: off by 0.1; 1e4 times: by 0.7
+        int firstLook = 500;               ///< sweeps before which its price is not worth asking for
+        double mostPerCap = 10.0;          ///< sweeps up to the cap, what it may cost at rest; in a flow, where impulses change from step to step, one
+        double restMotion = 0.1;           ///< motion below which grains count as at rest [-]
     } direct;
-
-    /// A cap of sweeps that step after step ends at is doubled.
-    struct Cap
-    {
-        int patience = 5;              ///< steps in a row
-        int enough = 1000;             ///< sweeps: the default cap, which is not raised
-    } cap;
 };
 
 } // namespace nscd

@@ -40,17 +40,16 @@ std::string energyWarning(const SolveReport& report)
     return text;
 }
 
-/// In words, that the cap of a report was raised; empty: it was not.
 std::string capWarning(const SolveReport& report)
 {
-    if (report.raisedCap == 0) return "";
-    char text[300];
+    constexpr int patience = 5;
+    char text[600] = "";
+    if (report.stepsAtCap < patience) return text;
     std::snprintf
     (
         text, sizeof(text),
-        "step after step ended at the cap of %d sweeps, with which grains at rest sink and bounce without end: the cap is now %d; a larger "
-        "maxSweeps, a smaller time step or a coarser tolerance would do as well",
-        report.userCap, report.raisedCap
+        "step after step ends at the cap of sweeps, after which part of the weight is not carried: grains at rest sink so, and bounce without end; a "
+        "larger maxSweeps, a smaller time step or a coarser tolerance would do"
     );
     return text;
 }

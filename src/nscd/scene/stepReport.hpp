@@ -20,13 +20,10 @@ struct SolveReport
     double residualMax = 0.0;   ///< natural map, largest [m/s]
     double speedScale = 0.0;    ///< what the tolerance multiplies [m/s]
     std::size_t contacts = 0;   ///< contacts that carry an impulse
-    std::size_t isolated = 0;   ///< of these, those solved exactly beside the sweeps, as their grains have no other
     /// Largest ratio of masses across a loaded contact, where it is so large that forces can be wrong though velocities have
     /// converged, and the direct method could not be used; 0: nothing to fear. See warning().
     double hiddenMassRatio = 0.0;
-    /// Cap on sweeps in force instead of `userCap`, since that was too small for step after step; 0: not so. See warning().
-    int raisedCap = 0;
-    int userCap = 0;
+    int stepsAtCap = 0;         ///< steps in a row that ended at the cap of sweeps, this one included; see warning()
     /// Work of the impulses of a step with restitution, from the free velocities to the last ones, and what the residual may have of it
     /// [J]: work beyond that is energy that Newton's law would create. The rebound is then scaled until nothing is. See shockWork.hpp.
     double shockWork = 0.0;
@@ -65,7 +62,7 @@ inline SolveReport worstOf(const SolveReport& before, const SolveReport& next)
     worst.converged = before.converged && next.converged;
     worst.residualRms = std::max(before.residualRms, next.residualRms);
     worst.residualMax = std::max(before.residualMax, next.residualMax);
-    worst.raisedCap = std::max(before.raisedCap, next.raisedCap);
+    worst.stepsAtCap = std::max(before.stepsAtCap, next.stepsAtCap);
     if (before.reboundShare < next.reboundShare)
     {
         worst.shockWork = before.shockWork;

@@ -9,6 +9,14 @@
 namespace nscd
 {
 
+SolveReport solveWhereAwake(ContactProblem& problem, const ContactSettings& settings, ContactSolver solve)
+{
+    if (problem.halo.any(!problem.awake.empty())) return solve(problem, settings);
+    SolveReport report;
+    report.speedScale = makeStopRule(problem, settings, {0.0, 0.0, 0.0}).speedScale;
+    return report;
+}
+
 const std::vector<ContactSolverRow>& contactSolvers()
 {
     static const std::vector<ContactSolverRow> rows =

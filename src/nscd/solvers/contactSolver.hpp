@@ -28,6 +28,9 @@ const std::vector<ContactSolverRow>& contactSolvers();
 /// Errors: std::invalid_argument listing the names there are
 const ContactSolverRow& findContactSolver(const std::string& name);
 
+/// Solves a problem in which anything can matter; in others what is not closed, loaded or closing in the free motion stays so, and nothing is solved.
+SolveReport solveWhereAwake(ContactProblem& problem, const ContactSettings& settings, ContactSolver solve);
+
 SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings);
 SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings);
 SolveReport solveDirect(ContactProblem& problem, const ContactSettings& settings);

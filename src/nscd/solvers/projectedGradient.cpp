@@ -77,7 +77,7 @@ private:
     double project()
     {
         double uphill = 0.0;
-        for (std::size_t slot = problem_.firstBlock*blockLanes; slot < problem_.blocks.size()*blockLanes; ++slot)
+        for (std::size_t slot = 0; slot < problem_.blocks.size()*blockLanes; ++slot)
         {
             const ContactBlock& block = problem_.blocks[slot/blockLanes];
             const int lane = slot % blockLanes;
@@ -89,7 +89,7 @@ private:
             const LocalChange change = localChange(problem_, slot, dn, dt);
             for (int m = 0; m < 3; ++m)
             {
-                const std::size_t i = (3*(slot/blockLanes - problem_.firstBlock) + m)*blockLanes + lane;
+                const std::size_t i = (3*(slot/blockLanes) + m)*blockLanes + lane;
                 target_[i] = block.r[m][lane] + change.impulse[m];
                 uphill -= change.impulse[m]*dn*(target_[i] - previous_[i]);
             }
@@ -109,8 +109,8 @@ private:
 SolveReport solveProjectedGradient(ContactProblem& problem, const ContactSettings& settings)
 {
     if (problem.blocks.empty()) return SolveReport();
-    problem.awake.resize(problem.blocks.size() - problem.firstBlock);
-    std::iota(problem.awake.begin(), problem.awake.end(), static_cast<std::uint32_t>(problem.firstBlock));
+    problem.awake.resize(problem.blocks.size());
+    std::iota(problem.awake.begin(), problem.awake.end(), 0u);
     ProjectedGradient gradient(problem);
     return sweepUntilMet(problem, settings, gradient);
 }

@@ -12,14 +12,12 @@
 namespace nscd
 {
 
-/// Whether sleeping contacts are looked at after this sweep: often at first, when velocities change most. In flows less often: each
-/// that wakes ends the history that momentum lives on (a collapse took 96 sweeps a step in place of 81), unless the problem is packed.
-inline bool isWakingDue(int sweeps, const ContactProblem& problem)
+/// Whether sleeping blocks are looked at after this sweep: see SolverStrategy::Waking.
+inline bool isWakingDue(int sweeps, const ContactProblem& problem, const SolverStrategy::Waking& strategy)
 {
     const bool isPowerOfTwo = (sweeps & (sweeps - 1)) == 0, isPowerOfFour = isPowerOfTwo && sweeps % 3 == 1;
-    if (sweeps % 64 == 0) return true;
-    // 588 000 visits of blocks in a collapse; after 1, 4, 8, 16, 24, 32 sweeps 608 000, after 8 and 24 615 000.
-    if (problem.leftOut) return isPowerOfTwo && sweeps >= 8;
+    if (sweeps % strategy.mostBetween == 0) return true;
+    if (problem.leftOut) return isPowerOfTwo && sweeps >= strategy.firstPacked;
     return problem.isFlowing() ? isPowerOfFour : isPowerOfTwo;
 }
 
@@ -74,7 +72,7 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
         if (isPolishing) ++polishing;
         else if (rule.isMet(left) && isSolved()) return report;
         const bool hasFailed = rule.isMet(left) && !isPolishing;
-        if ((hasFailed || isWakingDue(report.sweeps, problem)) && wakeBlocks(problem)) help.forget();
+        if ((hasFailed || isWakingDue(report.sweeps, problem, settings.strategy.waking)) && wakeBlocks(problem)) help.forget();
         const int work = help.afterSweep(report.sweeps, left, rule);
         report.sweeps += work;
         if (work > 0 && problem.isFlowing() && rule.isMet(residual(problem)) && isSolved()) return report;

@@ -7,7 +7,6 @@
 #include "nscd/base/invalidValue.hpp"
 #include "nscd/base/stopwatch.hpp"
 #include "nscd/contacts/contactGeometry.hpp"
-#include "nscd/solvers/help/isolatedPairs.hpp"
 #include "nscd/step/generalCorrection.hpp"
 #include "nscd/step/listPlan.hpp"
 #include "nscd/step/overlapCorrection.hpp"
@@ -148,7 +147,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
-    const SolveReport report = solveBesideIsolated(problem, settings.strategy.isolatedPairs ? list.isolatedBlocks : 0, capGuard.apply(settings), solve);
+    const SolveReport report = solveWhereAwake(problem, settings, solve);
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     return report;
 }
@@ -287,7 +286,8 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);
     if (self.maySleep()) self.letSleep(external, report);
-    self.capGuard.note(report.solve, self.settings);
+    self.stepsAtCap = report.solve.converged ? 0 : self.stepsAtCap + 1;
+    report.solve.stepsAtCap = self.stepsAtCap;
     self.lastReport = report;
     self.isStepBegun = false;
     return report;

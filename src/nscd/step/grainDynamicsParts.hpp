@@ -8,7 +8,6 @@
 #include "nscd/contacts/movingWalls.hpp"
 #include "nscd/contacts/storedImpulses.hpp"
 #include "nscd/solvers/contactSolver.hpp"
-#include "nscd/solvers/help/capGuard.hpp"
 #include "nscd/solvers/help/packedContacts.hpp"
 #include "nscd/step/awakePart.hpp"
 #include "nscd/step/contactStep.hpp"
@@ -51,7 +50,7 @@ struct GrainDynamics::Implementation
     GrainSleep sleep;
     AwakePart awakePart;          // holds the list of all while grains sleep
     double overlapAsleep = 0.0;   // largest of contacts when grains fell asleep last [m]
-    CapGuard capGuard;
+    int stepsAtCap = 0;           // in a row
     PackedContacts packing;
     StepReport lastReport;
     bool isStepBegun = false;

@@ -5,7 +5,6 @@
 #include "nscd/step/grainDynamicsParts.hpp"
 
 #include "nscd/solvers/help/andersonAcceleration.hpp"
-#include "nscd/solvers/help/isolatedPairs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +29,9 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     inelastic.ofLaws.clear();
     for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) inelastic.ofLaws.push_back(list.laws.impulses(slot));
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
-    ContactSettings shockSettings = capGuard.apply(settings);
+    ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
-    const SolveReport shock = solveBesideIsolated(problem, settings.strategy.isolatedPairs ? list.isolatedBlocks : 0, shockSettings, solve);
+    const SolveReport shock = solveWhereAwake(problem, shockSettings, solve);
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     report = worstOf(shock, report);
     if (sleep.any() && !sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty())

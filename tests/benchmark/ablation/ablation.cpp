@@ -33,14 +33,12 @@ const std::vector<Variant> variants =
 {
     {"all", [](nscd::ContactSettings&) {}},
     {"looks", [](nscd::ContactSettings& s) { s.strategy.looks.isOn = false; }},
-    {"isolatedPairs", [](nscd::ContactSettings& s) { s.strategy.isolatedPairs = false; }},
     {"packing", [](nscd::ContactSettings& s) { s.strategy.packing.isOn = false; }},
     {"momentum", [](nscd::ContactSettings& s) { s.strategy.momentum.isOn = false; }},
     {"mixing", [](nscd::ContactSettings& s) { s.strategy.mixing.isOn = false; }},
     {"queue", [](nscd::ContactSettings& s) { s.strategy.queue.isOn = false; }},
     {"loneDefects", [](nscd::ContactSettings& s) { s.strategy.loneDefects.isOn = false; }},
     {"direct", [](nscd::ContactSettings& s) { s.strategy.direct.isOn = false; }},
-    {"capGuard", [](nscd::ContactSettings& s) { s.raiseCap = false; }},
 };
 
 using Forces = std::function<nscd::ExternalForces(const nscd::Grains&, int step)>;

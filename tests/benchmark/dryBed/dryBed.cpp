@@ -109,7 +109,6 @@ int main(int argc, char** argv)
     const Options o = read(argc, argv);
     nscd::ContactSettings settings;
     settings.maxSweeps = int(o.at("maxSweeps"));
-    settings.raiseCap = false;
     settings.accelerate = o.at("accelerate") != 0;
     auto dynamics = lattice(o).build(settings);
     const double deltaT = o.at("deltaT"), width = o.at("spacing")*diameter*o.at("nx");

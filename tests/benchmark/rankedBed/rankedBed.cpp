@@ -104,7 +104,6 @@ int main(int argc, char** argv)
     settings.steps = argc > 5 ? number(5) : 0;
     if (argc > 6) settings.coldSolves = number(6);
     if (argc > 7) settings.contacts.maxSweeps = number(7);
-    settings.contacts.raiseCap = false;
     if (what == "settle") settle(argv[2], number(3), number(4), number(5));
     else if (what == "run") run(TiledBed(argv[2], number(3), number(4)), settings);
     else std::printf("rankedBed settle FILE PERSIDE LAYERS STEPS, or rankedBed run FILE TILESX TILESY STEPS [COLDSOLVES [MAXSWEEPS]]\n");

@@ -2,13 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What leaving out saves, as CSV: each row a scene with a choice that the library makes by itself, or without. Milliseconds of the processor.
-// skips still BED | planar [PERSIDE] | smooth [PERSIDE] | cloud [PERSIDE] | pairs [PERSIDE] | kernels [PERSIDE] | rest BED [STEPS]
+// skips still BED | planar [PERSIDE] | smooth [PERSIDE] | cloud [PERSIDE] | kernels [PERSIDE] | rest BED [STEPS]
 #include "benchmark/rankedBed/tiledBed.hpp"
 #include "unit/nscd/scenes/heaps.hpp"
 
 #include "nscd/contacts/contactGeometry.hpp"
 #include "nscd/kernels/sweepKernels.hpp"
-#include "nscd/solvers/help/isolatedPairs.hpp"
 #include "nscd/step/contactStep.hpp"
 
 #include <cstdio>
@@ -24,7 +23,7 @@ namespace
 /// The clock is that of the processor; the library's own times are of the wall, and show shares only.
 double now() { return static_cast<double>(std::clock())/CLOCKS_PER_SEC; }
 
-void printHead() { std::printf("scene,variant,grains,contacts,isolated,steps,sweepsPerStep,listsBuilt,msPerStep,searchShare,buildShare,solveShare,moveShare,creep,kineticEnergy\n"); }
+void printHead() { std::printf("scene,variant,grains,contacts,steps,sweepsPerStep,listsBuilt,msPerStep,searchShare,buildShare,solveShare,moveShare,creep,kineticEnergy\n"); }
 
 double largestMove(const nscd::Grains& a, const nscd::Grains& b)
 {
@@ -54,7 +53,7 @@ void measure(const char* scene, const char* variant, nscd::GrainDynamics& dynami
     const nscd::StepTimes& to = dynamics.times();
     const double parts[4] = {to.findPairs - from.findPairs, to.buildContacts - from.buildContacts, to.solveContacts - from.solveContacts, to.moveGrains - from.moveGrains};
     const double all = std::max(1e-30, parts[0] + parts[1] + parts[2] + parts[3]);
-    std::printf("%s,%s,%zu,%zu,%zu,%d,%.2f,%d,%.4f,%.3f,%.3f,%.3f,%.3f,%.2e,%.2e\n", scene, variant, before.size(), report.solve.contacts, report.solve.isolated,
+    std::printf("%s,%s,%zu,%zu,%d,%.2f,%d,%.4f,%.3f,%.3f,%.3f,%.3f,%.2e,%.2e\n", scene, variant, before.size(), report.solve.contacts,
                 steps, sweeps/steps, built, 1e3*seconds/steps, parts[0]/all, parts[1]/all, parts[2]/all, parts[3]/all,
                 largestMove(before, dynamics.grains()), nscd::kineticEnergy(dynamics.grains()));
     std::fflush(stdout);
@@ -126,41 +125,6 @@ void cloud(int perSide)
     for (const char* variant : {"first steps", "later"}) measure("cloud", variant, dynamics, Vec3::Zero(), 20);
 }
 
-/// Contacts of a dilute gas: those that are isolated once, or all by sweeps.
-void pairs(int perSide)
-{
-    const Scene scene = gas(perSide, 0.1, 0.25);
-    const nscd::Scene parts{scene.grains, scene.materials, scene.walls, scene.box};
-    const nscd::SweepKernels kernels = nscd::chooseKernels("auto");
-    const nscd::ContactSettings settings;
-    std::printf("scene,variant,grains,candidates,contacts,isolated,sweeps,solveMs\n");
-    for (const bool apart : {false, true})
-    {
-        double best = 1e30;
-        nscd::SolveReport report;
-        std::size_t candidates = 0;
-        for (int attempt = 0; attempt < 5; ++attempt)
-        {
-            nscd::Exchange alone;
-            const std::vector<double> reach(scene.grains.size(), 0.5*settings.skin*2*radius + 0.25*deltaT);
-            nscd::ContactList list = nscd::buildContactList(parts, nscd::WallSearch(scene.walls, 4*radius), reach, {}, 2*radius, alone);
-            nscd::updateGeometry(list, parts);
-            nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, Vec3::Zero(), deltaT), deltaT, nscd::GrainSleep());
-            nscd::prepareSlots(list, kernels, deltaT, settings.deadBand*2*radius, 1.0);
-            nscd::ContactProblem problem
-            {
-                list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, true, deltaT, 0.0, 2*radius, list.position
-            };
-            const double start = now();
-            report = nscd::solveBesideIsolated(problem, apart ? list.isolatedBlocks : 0, settings, nscd::solveNlgs);
-            best = std::min(best, now() - start);
-            candidates = list.candidates;
-        }
-        std::printf("pairs,%s,%zu,%zu,%zu,%zu,%d,%.4f\n", apart ? "isolated beside" : "all by sweeps", scene.grains.size(), candidates, report.contacts,
-                    report.isolated, report.sweeps, 1e3*best);
-    }
-}
-
 /// Sweeps of each path over the listed contacts of a plane of discs, by each kernel.
 void kernels(int perSide)
 {
@@ -210,11 +174,6 @@ int main(int argc, char** argv)
 {
     const std::string what = argc > 1 ? argv[1] : "";
     const auto number = [=](int k, int otherwise) { return argc > k ? std::atoi(argv[k]) : otherwise; };
-    if (what == "pairs")
-    {
-        pairs(number(2, 46));
-        return 0;
-    }
     if (what == "kernels")
     {
         kernels(number(2, 160));

@@ -75,11 +75,10 @@ RestingBed comeToRest(Scene scene)
     return bed;
 }
 
-Rest stayAtRest(const RestingBed& bed, const Point& point, int steps, bool raiseCap)
+Rest stayAtRest(const RestingBed& bed, const Point& point, int steps)
 {
     const Scene& scene = bed.scene;
     nscd::ContactSettings settings = settingsOf(point);
-    settings.raiseCap = raiseCap;
     auto dynamics = scene.build(settings);
     dynamics.restore(bed.impulses, bed.deltaT);
     double weight = 0.0;
@@ -113,9 +112,9 @@ Scene settledBed(const char* layers)
 
 int main(int argc, char** argv)
 {
-    if (argc != 7)
+    if (argc != 6)
     {
-        std::printf("stabilityMap LAYERS STEPS CAPS TOLERANCES DTS GUARD\n");
+        std::printf("stabilityMap LAYERS STEPS CAPS TOLERANCES DTS\n");
         return 1;
     }
     const RestingBed bed = comeToRest(settledBed(argv[1]));
@@ -124,7 +123,7 @@ int main(int argc, char** argv)
     for (const double tolerance : numbers(argv[4]))
     for (const double deltaT : numbers(argv[5]))
     {
-        const Rest rest = stayAtRest(bed, {static_cast<int>(cap), tolerance, deltaT}, std::atoi(argv[2]), std::atoi(argv[6]) != 0);
+        const Rest rest = stayAtRest(bed, {static_cast<int>(cap), tolerance, deltaT}, std::atoi(argv[2]));
         std::printf("%s,%g,%g,%g,%.3g,%.3g,%.5f,%.3g,%d,%.1f\n", argv[1], cap, tolerance, deltaT, rest.energy, rest.baseError, rest.baseMean,
             rest.sunk, rest.capped, rest.sweeps);
         std::fflush(stdout);

@@ -87,7 +87,6 @@ void PackedContacts::append(const std::vector<std::uint32_t>& slots, int staticB
 ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
 {
     home_ = &whole.blocks;
-    firstOfHome_ = whole.firstBlock;
     blocks_.clear();
     slotOf_.clear();
     awake_.clear();
@@ -118,7 +117,7 @@ bool PackedContacts::wake(ContactProblem& packed)
 {
     const int staticBody = static_cast<int>(packed.bodies.size()) - 1;
     std::vector<std::uint32_t> slots;
-    for (std::size_t k = firstOfHome_; k < home_->size(); ++k)
+    for (std::size_t k = 0; k < home_->size(); ++k)
     {
         const ContactBlock& block = (*home_)[k];
         // What is not packed carries nothing: what the law asks for is normal, so the frictionless evaluation tells.
@@ -135,7 +134,7 @@ bool PackedContacts::wake(ContactProblem& packed)
 
 DefectSums PackedContacts::defects(const ContactProblem& packed) const
 {
-    return packed.kernels.evaluateFrictionless(packed.bodies.data(), home_->data() + firstOfHome_, {nullptr, home_->size() - firstOfHome_});
+    return packed.kernels.evaluateFrictionless(packed.bodies.data(), home_->data(), {nullptr, home_->size()});
 }
 
 void PackedContacts::giveBack(ContactProblem& whole) const

@@ -36,7 +36,6 @@ private:
 
     int lastSweeps_ = 0;
     std::vector<ContactBlock>* home_ = nullptr;
-    std::size_t firstOfHome_ = 0;
     std::vector<ContactBlock> blocks_;
     std::vector<std::uint32_t> awake_;    ///< all of them
     std::vector<std::uint32_t> slotOf_;   ///< of each packed lane; lanes that are not used have none

@@ -108,8 +108,7 @@ DefectSums residual(ContactProblem& problem)
 {
     const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
     problem.halo.giveVelocities(problem.bodies);
-    ContactBlock* const blocks = problem.blocks.data() + problem.firstBlock;
-    DefectSums here = evaluate(problem.bodies.data(), blocks, {nullptr, problem.all().count - problem.firstBlock});
+    DefectSums here = evaluate(problem.bodies.data(), problem.blocks.data(), problem.all());
     if (problem.laws) here = problem.laws->evaluate(here, problem.bodies.data(), problem.blocks.data(), problem.all());
     if (problem.general) add(here, evaluateGeneral(problem.bodies.data(), problem.blocks, *problem.general));
     if (problem.leftOut) add(here, problem.leftOut->defects(problem));
@@ -122,7 +121,7 @@ bool wakeBlocks(ContactProblem& problem)
     const std::size_t before = problem.awake.size();
     std::vector<std::uint32_t> asleep;
     std::size_t next = 0;
-    for (std::uint32_t k = problem.firstBlock; k < problem.blocks.size(); ++k)
+    for (std::uint32_t k = 0; k < problem.blocks.size(); ++k)
     {
         const bool isAwake = next < before && problem.awake[next] == k;
         if (isAwake) ++next;

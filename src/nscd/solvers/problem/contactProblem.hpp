@@ -58,8 +58,6 @@ struct ContactProblem
     ListLaws* laws = nullptr;
     /// Of all bodies that move, heaviest to lightest.
     double massRatio = 1.0;
-    /// Blocks before this one are none of a solver's business: isolatedPairs.hpp.
-    std::size_t firstBlock = 0;
     /// Contacts of general bodies, in blocks behind all others; none in scenes without.
     GeneralBodies* general = nullptr;
     /// Room in which a solver may pack contacts; null: none.

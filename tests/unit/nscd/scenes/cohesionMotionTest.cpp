@@ -176,7 +176,7 @@ TEST(Cohesion, aJudgeOfItsOwnAgrees)
         ASSERT_TRUE(report.solve.converged) << k;
         if (report.solve.contacts < 10) continue;
         const NaturalMap map = Judge(scene, 0.4, settings.deadBand*diameter, deltaT)(before, dynamics);
-        // Contacts that attract and bear nothing count for the judge alone. While all are isolated, round-off is all there is.
+        // Contacts that attract and bear nothing count for the judge alone.
         const double norm = report.solve.residualRms*std::sqrt(static_cast<double>(report.solve.contacts));
         ASSERT_NEAR(map.norm, norm, 1e-6*norm + 1e-14*gravity*deltaT) << k;
     }

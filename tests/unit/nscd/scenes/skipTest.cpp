@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// What a scene does not need is left out, and nothing else changes by it: solves without contacts, sweeps over isolated pairs, spins
+// What a scene does not need is left out, and nothing else changes by it: solves without contacts, spins
 // without friction, the third direction of discs, memory of a list built anew.
 #include "unit/nscd/scenes/heaps.hpp"
 
 #include "nscd/contacts/contactGeometry.hpp"
 #include "nscd/kernels/sweepKernels.hpp"
-#include "nscd/solvers/contactSolver.hpp"
-#include "nscd/solvers/help/isolatedPairs.hpp"
 #include "nscd/step/contactStep.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <map>
 
 using namespace scenes;
 
@@ -43,39 +40,7 @@ struct FirstStep
         nscd::setFreeVelocities(list, scene.grains, weight(scene.grains, scene.g, deltaT), deltaT, nscd::GrainSleep());
         nscd::prepareSlots(list, kernels, deltaT, 2e-4*radius, 1.0);
     }
-
-    /// As if the first blocks held isolated contacts.
-    nscd::SolveReport solve(std::size_t isolatedBlocks)
-    {
-        nscd::ContactProblem problem
-        {
-            list.bodies, list.blocks, list.awake, list.interfaceBlock, list.halo, kernels, true, deltaT, gravity*deltaT, 2*radius, list.position
-        };
-        return nscd::solveBesideIsolated(problem, isolatedBlocks, tight(), nscd::solveNlgs);
-    }
 };
-
-/// Pairs that collide, grains that hit a floor, and a triple, all far from one another.
-Scene scattered()
-{
-    Scene scene(3, 0.4, 0.0);
-    for (int k = 0; k < 30; ++k)
-    {
-        const Vec3 x(k*0.1, 0, 1.0);
-        scene.addGrain(x, radius);
-        scene.addGrain(x + Vec3(0.3, 0.2, 1.98).normalized()*1.905*radius, 0.9*radius);
-        scene.grains.velocity[2*k] = Vec3(0.1, 0.05*k, 1.0);
-        scene.grains.omega[2*k] = Vec3(3, 2, 0.1*k);
-    }
-    for (int k = 0; k < 5; ++k)
-    {
-        scene.addGrain(Vec3(k*0.1, 1, 1.0001*radius), radius);
-        scene.grains.velocity.back() = Vec3(0.2, 0, -0.3);
-    }
-    for (int k = 0; k < 3; ++k) scene.addGrain(Vec3(k*1.99*radius, 2, 1.0), radius);
-    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
-    return scene;
-}
 
 void expectSameBodies(const nscd::ContactList& x, const nscd::ContactList& y, double tolerance)
 {
@@ -104,82 +69,6 @@ TEST(Skip, noSolveWithoutContacts)
     EXPECT_EQ(report.solve.contacts, 0u);
     EXPECT_TRUE(report.solve.converged);
     for (const Vec3& v : dynamics.grains().velocity) EXPECT_EQ(v, (scene.grains.mass[0]*Vec3::Zero() + deltaT*(scene.grains.mass[0]*scene.g))/scene.grains.mass[0]);
-}
-
-TEST(Skip, isolatedContactsAreThoseWhoseGrainsHaveNoOther)
-{
-    const FirstStep step(scattered(), nscd::chooseKernels("auto"));
-    std::map<int, int> number;
-    std::size_t isolated = 0;
-    const auto grains = [&](std::size_t slot)
-    {
-        const nscd::ContactBlock& block = step.list.blocks[slot/nscd::blockLanes];
-        std::vector<int> bodies{block.a[slot % nscd::blockLanes]};
-        if (step.list.wall[slot] < 0) bodies.push_back(block.b[slot % nscd::blockLanes]);
-        return bodies;
-    };
-    for (std::size_t slot = 0; slot < step.list.slots(); ++slot)
-    {
-        if (!step.list.isUsed(slot)) continue;
-        for (int body : grains(slot)) ++number[body];
-    }
-    for (std::size_t slot = 0; slot < step.list.slots(); ++slot)
-    {
-        if (!step.list.isUsed(slot)) continue;
-        bool isAlone = true;
-        for (int body : grains(slot)) isAlone = isAlone && number[body] == 1;
-        EXPECT_EQ(slot/nscd::blockLanes < step.list.isolatedBlocks, isAlone);
-        isolated += isAlone;
-    }
-    EXPECT_EQ(isolated, 35u);
-    EXPECT_EQ(step.list.candidates, 37u);
-}
-
-TEST(Skip, isolatedContactsGetTheSameImpulsesAsBySweeps)
-{
-    FirstStep apart(scattered(), nscd::chooseKernels("auto")), swept(scattered(), nscd::chooseKernels("auto"));
-    const nscd::SolveReport one = apart.solve(apart.list.isolatedBlocks), other = swept.solve(0);
-    EXPECT_EQ(one.isolated, 35u);
-    EXPECT_EQ(other.isolated, 0u);
-    EXPECT_EQ(one.contacts, other.contacts);
-    EXPECT_TRUE(one.converged && other.converged);
-    expectSameBodies(apart.list, swept.list, 1e-14);
-    EXPECT_EQ(apart.list.awake, swept.list.awake);
-}
-
-TEST(Skip, pairsAloneTakeNoSweep)
-{
-    Scene scene = scattered();
-    Scene pairs(3, 0.4, 0.0);
-    for (std::size_t i = 0; i < 60; ++i)
-    {
-        pairs.addGrain(scene.grains.position[i], scene.grains.radius[i]);
-        pairs.grains.velocity[i] = scene.grains.velocity[i];
-    }
-    auto dynamics = pairs.build();
-    const nscd::StepReport report = step(dynamics, pairs.g, deltaT);
-    EXPECT_EQ(report.solve.sweeps, 0);
-    EXPECT_EQ(report.solve.isolated, 30u);
-    EXPECT_EQ(report.solve.contacts, 30u);
-    EXPECT_EQ(dynamics.contacts().size(), 30u);
-    for (const nscd::LoadedContact& c : dynamics.contacts()) EXPECT_GE(c.gap, -1e-9*radius);
-}
-
-TEST(Skip, heldGrainsJoinNothing)
-{
-    Scene scene(3, 0.4, 0.0);
-    scene.addGrain(Vec3::Zero(), radius);
-    scene.grains.isFixed[0] = 1;
-    for (const Vec3& n : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(-Vec3::UnitX())})
-    {
-        scene.addGrain(2*radius*n, radius);
-        scene.grains.velocity.back() = -0.5*n;
-    }
-    auto dynamics = scene.build();
-    const nscd::StepReport report = step(dynamics, Vec3::Zero(), deltaT);
-    EXPECT_EQ(report.solve.isolated, 3u);
-    EXPECT_EQ(report.solve.sweeps, 0);
-    for (std::size_t i = 1; i < 4; ++i) EXPECT_NEAR(dynamics.grains().velocity[i].norm(), 0.0, 1e-12);
 }
 
 TEST(Skip, nothingTurnsWithoutFriction)

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Tests of reports: how those of several solves become one, and what users are warned of.
+#include "unit/nscd/scenes/scenes.hpp"
+
+#include "nscd/scene/stepReport.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace scenes;
+
+TEST(StepReport, takesTheWorkOfBothSolvesAndTheWorstOfWhatTheyReached)
+{
+    nscd::SolveReport first, second;
+    first.sweeps = 7;
+    first.converged = false;
+    first.residualRms = 3e-3;
+    first.hiddenMassRatio = 90.0;
+    second.sweeps = 5;
+    second.residualRms = 1e-3;
+    const nscd::SolveReport both = nscd::worstOf(first, second);
+    EXPECT_EQ(both.sweeps, 12);
+    EXPECT_FALSE(both.converged);
+    EXPECT_EQ(both.residualRms, 3e-3);
+    EXPECT_EQ(both.hiddenMassRatio, 90.0);
+    const nscd::SolveReport later = nscd::together(first, second);
+    EXPECT_TRUE(later.converged);
+    EXPECT_EQ(later.residualRms, 1e-3);
+    EXPECT_EQ(later.sweeps, 12);
+}
+
+TEST(StepReport, warnsOfNothingWhereNothingIs)
+{
+    EXPECT_EQ(nscd::warning(nscd::SolveReport()), "");
+}
+
+TEST(StepReport, namesMassesThatDifferTooMuch)
+{
+    nscd::SolveReport report;
+    report.hiddenMassRatio = 1e4;
+    EXPECT_NE(nscd::warning(report).find("1:1e+04"), std::string::npos) << nscd::warning(report);
+}
+
+// A stack from cold, by a solver that no direct method helps: every step ends at the cap.
+TEST(StepReport, warnsOfACapThatStepAfterStepEndsAt)
+{
+    Scene scene(3, 0.5, 0.0);
+    for (int i = 0; i < 100; ++i) scene.addGrain(Vec3(0, 0, 0.01*(2*i + 1)), 0.01);
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    nscd::ContactSettings settings;
+    settings.solver = "NNCG";
+    settings.maxSweeps = 5;
+    auto dynamics = scene.build(settings);
+    for (int k = 1; k <= 6; ++k)
+    {
+        const nscd::SolveReport report = step(dynamics, scene.g, 1e-3).solve;
+        EXPECT_FALSE(report.converged);
+        EXPECT_EQ(report.stepsAtCap, k);
+        EXPECT_EQ(nscd::warning(report).empty(), k < 5) << nscd::warning(report);
+    }
+}
