@@ -8,6 +8,7 @@
 
 #include "nscd/contacts/contactGeometry.hpp"
 #include "nscd/kernels/sweepKernels.hpp"
+#include "nscd/solvers/contactSolver.hpp"
 #include "nscd/solvers/help/isolatedPairs.hpp"
 #include "nscd/step/contactStep.hpp"
 
