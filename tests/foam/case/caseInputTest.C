@@ -162,6 +162,7 @@ TEST(BadGrainProperties, aMisspeltKeywordIsFoundInEverySubDictionary)
         {first + "solver { ", "maxSweep", "maxSweeps", " 3; }"},
         {first + "voidFraction { ", "difusion", "diffusion", " 3; }"},
         {first + "forces { ", "viscuous", "viscous", " on; }"},
+        {first + "forces { ", "safmanLift", "saffmanLift", " on; }"},
         {first + "forces { drag { ", "lav", "law", " Ergun; } }"},
         {first + "timeStep { ", "subCycle", "subCycles", " 3; }"},
         {first, "feedbck", "feedback", " on;"}

@@ -153,7 +153,8 @@ const std::vector<std::pair<const char*, bool>> forceSwitches =
 {
     {"pressureGradient", true},
     {"viscous", true},
-    {"spinDrag", true}
+    {"spinDrag", true},
+    {"saffmanLift", false}
 };
 
 

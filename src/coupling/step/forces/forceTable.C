@@ -6,6 +6,7 @@
 
 #include "coupling/step/forces/drag.H"
 #include "coupling/step/forces/pressureForce.H"
+#include "coupling/step/forces/saffmanLift.H"
 #include "coupling/step/forces/spinDrag.H"
 #include "coupling/step/forces/viscousForce.H"
 #include "coupling/step/forces/weight.H"
@@ -25,7 +26,8 @@ const std::vector<ForceRow>& forceTable()
         {"pressureGradient",  switched,   needs::fluid,                                   forces::pressureForce},
         {"viscous",           switched,   needs::fluid,                                   forces::viscousForce},
         {"drag",              switched,   needs::fluid,                                   forces::drag},
-        {"spinDrag",          switched,   needs::fluid | needs::dragLaw | needs::turning, forces::spinDrag}
+        {"spinDrag",          switched,   needs::fluid | needs::dragLaw | needs::turning, forces::spinDrag},
+        {"saffmanLift",       switched,   needs::fluid | needs::spheres,                  forces::saffmanLift}
     };
     return table;
 }
