@@ -154,7 +154,8 @@ const std::vector<std::pair<const char*, bool>> forceSwitches =
     {"pressureGradient", true},
     {"viscous", true},
     {"spinDrag", true},
-    {"saffmanLift", false}
+    {"saffmanLift", false},
+    {"magnusLift", false}
 };
 
 

@@ -5,6 +5,7 @@
 #include "coupling/step/forces/forceTable.H"
 
 #include "coupling/step/forces/drag.H"
+#include "coupling/step/forces/magnusLift.H"
 #include "coupling/step/forces/pressureForce.H"
 #include "coupling/step/forces/saffmanLift.H"
 #include "coupling/step/forces/spinDrag.H"
@@ -27,7 +28,8 @@ const std::vector<ForceRow>& forceTable()
         {"viscous",           switched,   needs::fluid,                                   forces::viscousForce},
         {"drag",              switched,   needs::fluid,                                   forces::drag},
         {"spinDrag",          switched,   needs::fluid | needs::dragLaw | needs::turning, forces::spinDrag},
-        {"saffmanLift",       switched,   needs::fluid | needs::spheres,                  forces::saffmanLift}
+        {"saffmanLift",       switched,   needs::fluid | needs::spheres,                  forces::saffmanLift},
+        {"magnusLift",        switched,   needs::fluid | needs::spheres,                  forces::magnusLift}
     };
     return table;
 }
