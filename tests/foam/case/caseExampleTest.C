@@ -130,8 +130,7 @@ TEST(ExampleFile, statesTheDefaults)
     EXPECT_EQ(example.voidFraction.minFluidFraction, first.voidFraction.minFluidFraction);
     EXPECT_EQ(example.forces.dragLaw, first.forces.dragLaw);
     EXPECT_EQ(example.forces.dragWeight, first.forces.dragWeight);
-    EXPECT_EQ(example.forces.pressureGradient, first.forces.pressureGradient);
-    EXPECT_EQ(example.forces.viscous, first.forces.viscous);
+    for (const auto& [force, given] : example.forces.switches) EXPECT_EQ(given.isOn, first.forces.isOn(force)) << force;
     EXPECT_EQ(example.time.maxGrainDisplacement, first.time.maxGrainDisplacement);
     EXPECT_EQ(example.time.subCycles, first.time.subCycles);
     EXPECT_EQ(example.maxInitialOverlap, first.maxInitialOverlap);

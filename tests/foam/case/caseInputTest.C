@@ -45,7 +45,8 @@ TEST(GrainProperties, aShortFileGetsDefaults)
     EXPECT_EQ(p.contact.solver, nscd::ContactSettings().solver);
     EXPECT_EQ(p.contact.tolerance, nscd::ContactSettings().tolerance);
     EXPECT_EQ(p.voidFraction.method, "exact");
-    EXPECT_TRUE(p.solvesFluid && p.hasFeedback && p.forces.pressureGradient && p.forces.viscous);
+    EXPECT_TRUE(p.solvesFluid && p.hasFeedback && p.forces.isOn("drag"));
+    for (const char* force : {"pressureGradient", "viscous", "spinDrag"}) EXPECT_TRUE(p.forces.isOn(force)) << force;
     EXPECT_FALSE(p.holdsMeanFlow);
 }
 
@@ -92,7 +93,10 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("minFluidFraction"), 0.3);
     EXPECT_EQ(p.forces.dragLaw, "DiFelice");
     EXPECT_EQ(p.forces.dragWeight, "backwardEuler");
-    EXPECT_FALSE(p.forces.pressureGradient || p.forces.viscous || p.solvesFluid || p.hasFeedback);
+    EXPECT_FALSE(p.forces.isOn("pressureGradient") || p.forces.isOn("viscous") || p.solvesFluid || p.hasFeedback);
+    EXPECT_TRUE(p.forces.isOn("spinDrag"));
+    EXPECT_EQ(p.forces.switches.at("viscous").place.keyword, "forces.viscous");
+    EXPECT_FALSE(read(first + "forces { drag { law none; } }").forces.isOn("drag"));
     EXPECT_EQ(p.meanFlowDict().get<vector>("target"), vector(0, 0, 0.5));
     EXPECT_EQ(p.time.maxGrainDisplacement, 0.2);
     EXPECT_EQ(p.time.subCycles, 3);
@@ -158,6 +162,7 @@ TEST(BadGrainProperties, aMisspeltKeywordIsFoundInEverySubDictionary)
         {first + "solver { ", "maxSweep", "maxSweeps", " 3; }"},
         {first + "voidFraction { ", "difusion", "diffusion", " 3; }"},
         {first + "forces { ", "viscuous", "viscous", " on; }"},
+        {first + "forces { ", "safmanLift", "saffmanLift", " on; }"},
         {first + "forces { drag { ", "lav", "law", " Ergun; } }"},
         {first + "timeStep { ", "subCycle", "subCycles", " 3; }"},
         {first, "feedbck", "feedback", " on;"}

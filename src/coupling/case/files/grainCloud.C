@@ -180,17 +180,30 @@ std::vector<nscd::Vec3> toVec3s(const vectorField& values)
     return result;
 }
 
+/// Names of fields to read: those needed, and of the optional ones those that were written. Collective.
+wordList withThoseFound(const CloudReader& cloud, wordList names, const wordList& optional)
+{
+    for (const word& name : optional)
+    {
+        if (cloud.found(name)) names.append(name);
+    }
+    return names;
+}
+
 GrainExtras readExtras(const polyMesh& mesh, const RestartExpectation& expected)
 {
     const CloudReader cloud(mesh, "grains");
     cloud.labels("origId");
     GrainExtras extras;
-    for (const word& name : expected.scalars)
+    for (const word& name : withThoseFound(cloud, expected.scalars, expected.optionalScalars))
     {
         const scalarField values = cloud.scalars(name);
         extras.scalars[name].assign(values.begin(), values.end());
     }
-    for (const word& name : expected.vectors) extras.vectors[name] = toVec3s(cloud.vectors(name));
+    for (const word& name : withThoseFound(cloud, expected.vectors, expected.optionalVectors))
+    {
+        extras.vectors[name] = toVec3s(cloud.vectors(name));
+    }
     return extras;
 }
 

@@ -152,6 +152,17 @@ Words dragWords()
 }
 
 
+/// Forces by their keyword, and whether they are on where a case does not say. What each is: coupling/step/forces.
+const std::vector<std::pair<const char*, bool>> forceSwitches =
+{
+    {"pressureGradient", true},
+    {"viscous", true},
+    {"spinDrag", true},
+    {"saffmanLift", false},
+    {"magnusLift", false}
+};
+
+
 ForceSettings readForces(const CheckedDict& top)
 {
     const dictionary dict = top.subOrEmpty("forces");
@@ -162,9 +173,8 @@ ForceSettings readForces(const CheckedDict& top)
     settings.dragLaw = drag.choice("law", dragWords(), settings.dragLaw);
     settings.dragWeight = drag.choice("weight", {"exponential", "backwardEuler"}, settings.dragWeight);
     drag.finish();
-    settings.pressureGradient = given.flag("pressureGradient", settings.pressureGradient);
-    settings.viscous = given.flag("viscous", settings.viscous);
-    settings.spinDrag = given.flag("spinDrag", settings.spinDrag);
+    settings.switches["drag"] = {settings.dragLaw != "none", given.place("drag")};
+    for (const auto& [name, byDefault] : forceSwitches) settings.switches[name] = {given.flag(name, byDefault), given.place(name)};
     given.finish();
     return settings;
 }

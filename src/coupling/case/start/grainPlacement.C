@@ -190,15 +190,7 @@ void placeGrains
 void appendGrains(nscd::Grains& grains, const nscd::Grains& more)
 {
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(grains.position, more.position);
-    append(grains.velocity, more.velocity);
-    append(grains.omega, more.omega);
-    append(grains.orientation, more.orientation);
-    append(grains.radius, more.radius);
-    append(grains.mass, more.mass);
-    append(grains.material, more.material);
-    append(grains.id, more.id);
-    append(grains.isFixed, more.isFixed);
+    nscd::Grains::forEachMember([&](const char*, auto array) { append(grains.*array, more.*array); });
     grains.nOwned = grains.size();
 }
 
