@@ -7,6 +7,8 @@
 #include "coupling/base/vectorConversion.H"
 #include "coupling/step/grainForces.H"
 
+#include "input/scene/drivenReader.hpp"
+
 #include <algorithm>
 
 namespace Foam
@@ -45,7 +47,7 @@ bool CoupledRun::nextStep()
 
 void CoupledRun::driveTo(scalar end, scalar deltaT)
 {
-    driveGrains(properties_.driven, *dynamics_, end - deltaT, end);
+    toldByFoam([&] { input::driveGrains(properties_.driven, *dynamics_, end - deltaT, end); });
 }
 
 void CoupledRun::sampleFluid()

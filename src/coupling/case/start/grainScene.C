@@ -2,14 +2,17 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Setting the scene for the grains.
-#include "coupling/case/input/materialsReader.H"
 #include "coupling/case/start/grainScene.H"
+
+#include "coupling/case/input/foamPositions.H"
 #include "coupling/case/start/initialChecks.H"
 #include "coupling/case/walls/meshWalls.H"
 
-#include "Time.H"
+#include "input/scene/materialReader.hpp"
+#include "input/start/placement.hpp"
 
-#include <set>
+#include "Random.H"
+#include "Time.H"
 
 namespace Foam
 {
@@ -19,25 +22,41 @@ namespace nscdCoupling
 namespace
 {
 
-void checkPairsThatMeet
-(
-    const GrainProperties& properties, const nscd::Grains& grains, const nscd::Walls& walls, const nscd::Exchange& exchange
-)
+constexpr std::size_t grainsInBatch = 10000;
+
+nscd::RandomNumbers foamRandom(std::uint64_t seed)
 {
-    std::vector<double> isUsed(properties.materials.table.size(), 0.0);
+    return [random = Random(label(seed))]() mutable { return random.sample01<scalar>(); };
+}
+
+/// Adds grains behind others, all of them owned.
+void appendGrains(nscd::Grains& grains, const nscd::Grains& more)
+{
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(grains.position, more.position);
+    append(grains.velocity, more.velocity);
+    append(grains.omega, more.omega);
+    append(grains.orientation, more.orientation);
+    append(grains.radius, more.radius);
+    append(grains.mass, more.mass);
+    append(grains.material, more.material);
+    append(grains.id, more.id);
+    append(grains.isFixed, more.isFixed);
+    grains.nOwned = grains.size();
+}
+
+/// Materials of the grains of all ranks.
+std::vector<int> usedMaterials(const nscd::Grains& grains, int nMaterials, const nscd::Exchange& exchange)
+{
+    std::vector<double> isUsed(nMaterials, 0.0);
     for (int material : grains.material) isUsed[material] = 1.0;
-    exchange.max(isUsed.data(), static_cast<int>(isUsed.size()));
-    std::set<int> ofGrains, ofWalls;
-    for (std::size_t material = 0; material < isUsed.size(); ++material)
+    exchange.max(isUsed.data(), nMaterials);
+    std::vector<int> used;
+    for (int material = 0; material < nMaterials; ++material)
     {
-        if (isUsed[material] > 0.0) ofGrains.insert(static_cast<int>(material));
+        if (isUsed[material] > 0.0) used.push_back(material);
     }
-    for (const nscd::WallPatch& patch : walls.patches) ofWalls.insert(patch.material);
-    checkPairs
-    (
-        properties.materials,
-        std::vector<int>(ofGrains.begin(), ofGrains.end()), std::vector<int>(ofWalls.begin(), ofWalls.end())
-    );
+    return used;
 }
 
 } // namespace
@@ -65,7 +84,8 @@ GrainScene makeGrainScene(const GrainProperties& properties, const polyMesh& mes
 {
     checkTimeControls(mesh.time());
     GrainScene scene;
-    scene.space = grainSpace(properties, mesh);
+    scene.space = grainSpace(mesh);
+    checkShape(properties, mesh);
     checkGravity(gravity, scene.space, mesh.time());
     scene.roles = assignPatchRoles(properties, mesh);
     scene.walls = makeMeshWalls(properties, scene.roles, mesh);
@@ -85,15 +105,17 @@ nscd::Grains makeFirstGrains
     HomeRanks homes(mesh);
     const auto keep = [&](nscd::Grains& batch)
     {
-        for (nscd::Vec3& x : batch.position) x = scene.box.wrap(x);
         homes.keepOwn(batch);
         appendGrains(grains, batch);
     };
-    placeGrains(properties, scene.space, mesh.time().globalPath()/mesh.time().constant(), keep);
+    const input::Surroundings around = surroundingsIn(mesh);
+    const input::PlacementTools tools = {scene.space.midPlane, foamRandom, readFoamPositions, grainsInBatch};
+    toldByFoam([&] { input::placeGrains(properties, around, tools, keep); });
     homes.checkNoneOutside();
-    checkPairsThatMeet(properties, grains, scene.walls, exchange);
+    const std::vector<int> used = usedMaterials(grains, properties.materials.table.size(), exchange);
+    toldByFoam([&] { input::checkPairs(properties.materials, used, scene.walls); });
     checkPeriods(scene.box, grains, mesh);
-    checkOverlaps(grains, scene.box, scene.walls, properties.maxInitialOverlap, properties.overlapPlace, exchange);
+    checkOverlaps(grains, scene, properties, exchange);
     return grains;
 }
 
