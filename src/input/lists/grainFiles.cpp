@@ -8,6 +8,7 @@
 #include "input/dictionary/textFile.hpp"
 #include "input/dictionary/withoutTraps.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -25,6 +26,15 @@ const char* const rowLayout = "rows of x y z d [material], in m, numbers up to 1
 void checkHolds(std::size_t number, const std::string& path, const Place& source)
 {
     if (number == 0) throw InputError({source, "names a file that holds no grain", path, "a file with grains"});
+}
+
+/// Refuses a text with zeros in it, which end it for whoever reads it in place.
+void checkIsText(const std::string& text, const std::string& path)
+{
+    const std::size_t zero = text.find('\0');
+    if (zero == std::string::npos) return;
+    const int line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n'));
+    throw InputError({{path, line, std::filesystem::path(path).filename()}, "holds a character that is no text", "", "a text file"});
 }
 
 /// A number at the start of a text, whose end is then behind it; false for anything else, and for numbers that are too large.
@@ -144,6 +154,7 @@ std::vector<nscd::Vec3> readPositionsFile(const std::string& path, const Place& 
 std::vector<nscd::Vec3> parsePositions(const std::string& text, const std::string& path, const Place& source)
 {
     const WithoutTraps traps;
+    checkIsText(text, path);
     Scanner scanner(text, path);
     skipHeader(scanner);
     double stated = -1.0;
@@ -175,6 +186,7 @@ std::vector<TableRow> readGrainTable(const std::string& path, const Place& sourc
 {
     const WithoutTraps traps;
     const std::string text = readText(path, source);
+    checkIsText(text, path);
     const std::string name = std::filesystem::path(path).filename();
     std::vector<TableRow> rows;
     std::string line;

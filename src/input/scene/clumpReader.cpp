@@ -47,7 +47,8 @@ void checkMembers(const CheckedEntries& given, const std::string& keyword, const
     for (const nscd::Ball& member : members)
     {
         const double reach = std::max(member.radius, (member.center - members[0].center).norm());
-        if (reach > largestRatio*smallest) given.reject(keyword, "is too large for its smallest member", textOf("sizes up to ", largestRatio, " times its radius"));
+        if (reach <= largestRatio*smallest) continue;
+        given.reject(keyword, "is too large for its smallest member", textOf("sizes up to ", largestRatio, " times its radius"));
     }
     try
     {

@@ -131,6 +131,8 @@ inline std::vector<WrongFile> wrongFiles()
         {"secondList", false, "( (0.03 0.03 0.03) ) ( (0.01 0.01 0.01) )", 1, {"goes on after its list"}},
         {"listOfNothing", false, "()", 0, {"keyword grains.file names a file that holds no grain"}},
         {"openComment", false, "/* (1 2 3)", 1, {"cut short"}},
+        {"zeroInAList", false, std::string("((0.03 0.03 0.03)\n\0)", 20), 2, {"holds a character that is no text"}},
+        {"zeroInARow", true, std::string("0.03 0.03 0.03 0.01\0x", 21), 1, {"holds a character that is no text"}},
         {"shortRow", true, "0.03 0.03 0.03 0.01\n1 2 3\n", 2, {"without four finite numbers", "value:   1 2 3", "x y z d"}},
         {"infiniteRow", true, "1 2 3 inf\n", 1, {"without four finite numbers"}},
         {"overflowingRow", true, "0.03 0.03 0.03 0.01\n1e999 2 3 1\n", 2, {"without four finite numbers"}},

@@ -6,13 +6,18 @@
 #include "coupling/case/input/foamDictionary.H"
 #include "coupling/case/input/inputError.H"
 
+#include "input/dictionary/openFoamText.hpp"
+
 #include "Function1.H"
+#include "IFstream.H"
+#include "IOdictionary.H"
 #include "ITstream.H"
 #include "dimensionSet.H"
 #include "primitiveEntry.H"
 
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace Foam
 {
@@ -171,6 +176,16 @@ input::Dictionary fromFoam(const dictionary& dict)
 input::Dictionary valuesFromFoam(const dictionary& dict)
 {
     return translated(dict, placeOfWhole(dict), false);
+}
+
+
+void checkText(const IOobject& file)
+{
+    const fileName path = typeFilePath<IOdictionary>(file);
+    if (path.empty()) return;
+    IFstream is(path);
+    const std::string text{std::istreambuf_iterator<char>(is.stdStream()), {}};
+    toldByFoam([&] { input::checkOpenFoamText(text, path); });
 }
 
 } // namespace nscdCoupling

@@ -9,16 +9,14 @@
 #include "coupling/mapping/voidFractionMethods.H"
 
 #include "closures/dragLaws.hpp"
-#include "input/dictionary/openFoamText.hpp"
 #include "input/dictionary/withoutTraps.hpp"
 #include "input/scene/materialReader.hpp"
 #include "input/scene/motionReader.hpp"
 #include "input/scene/sceneReader.hpp"
 
-#include "IFstream.H"
 #include "Time.H"
 
-#include <iterator>
+#include <memory>
 
 namespace Foam
 {
@@ -155,16 +153,6 @@ GrainProperties readAll(const dictionary& dict, input::Surroundings around)
 
 std::string inFolder(const fileName& path, const fileName& folder) { return path.isAbsolute() ? path : folder/path; }
 
-/// What OpenFOAM's parser does not tell, or stops at with a signal.
-void checkText(const IOobject& io)
-{
-    const fileName path = typeFilePath<IOdictionary>(io);
-    if (path.empty()) return;
-    IFstream is(path);
-    const std::string text{std::istreambuf_iterator<char>(is.stdStream()), {}};
-    input::checkOpenFoamText(text, path);
-}
-
 /// Files that it includes may hold numbers that overflow.
 std::unique_ptr<IOdictionary> readWithoutTraps(const IOobject& io)
 {
@@ -218,7 +206,7 @@ GrainProperties readGrainProperties(const dictionary& dict, const input::Surroun
 GrainProperties readGrainProperties(const Time& time, const input::Surroundings& around)
 {
     const IOobject io("grainProperties", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
-    toldByFoam([&] { checkText(io); });
+    checkText(io);
     const std::unique_ptr<IOdictionary> dict = readWithoutTraps(io);
     return readGrainProperties(*dict, around);
 }

@@ -4,6 +4,7 @@
 // Setting the scene for the grains.
 #include "coupling/case/start/grainScene.H"
 
+#include "coupling/case/input/foamDictionary.H"
 #include "coupling/case/input/foamPositions.H"
 #include "coupling/case/start/initialChecks.H"
 #include "coupling/case/walls/meshWalls.H"
@@ -64,10 +65,9 @@ std::vector<int> usedMaterials(const nscd::Grains& grains, int nMaterials, const
 
 vector readGravity(const Time& time)
 {
-    const uniformDimensionedVectorField g
-    (
-        IOobject("g", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
-    );
+    const IOobject file("g", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    checkText(file);
+    const uniformDimensionedVectorField g(file);
     if (g.dimensions() != dimAcceleration)
     {
         fail

@@ -133,10 +133,9 @@ void checkFieldDimensions(const fvMesh& mesh)
 
 void checkTransportProperties(const Time& time)
 {
-    const IOdictionary dict
-    (
-        IOobject("transportProperties", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
-    );
+    const IOobject file("transportProperties", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    checkText(file);
+    const IOdictionary dict(file);
     const input::Dictionary entries = valuesFromFoam(dict);
     const input::CheckedEntries given(entries);
     toldByFoam([&]

@@ -43,6 +43,7 @@ void append(nscd::Walls& walls, const GrainProperties& properties)
         walls.regions.push_back(region);
         walls.regions.back().patch += int(nPatches);
     }
+    for (const std::string& note : properties.notes) Info<< note.c_str() << nl;
 }
 
 } // namespace
