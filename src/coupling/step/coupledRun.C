@@ -7,6 +7,8 @@
 
 #include "coupling/step/fluidAtGrains.H"
 
+#include "input/scene/drivenReader.hpp"
+
 #include <algorithm>
 
 namespace Foam
@@ -38,7 +40,7 @@ bool CoupledRun::nextStep()
 
 void CoupledRun::driveTo(scalar end, scalar deltaT)
 {
-    driveGrains(properties_.driven, *dynamics_, end - deltaT, end);
+    toldByFoam([&] { input::driveGrains(properties_.driven, *dynamics_, end - deltaT, end); });
 }
 
 void CoupledRun::sampleFluid()

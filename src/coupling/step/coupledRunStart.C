@@ -12,6 +12,8 @@
 #include "coupling/case/start/parallelRefusal.H"
 #include "nscd/contacts/contactLaw.hpp"
 
+#include "input/scene/drivenReader.hpp"
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -53,7 +55,7 @@ GrainProperties readRunnable(const Time& time, const polyMesh& mesh)
 {
     refuseCollatedFiles();
     checkMeshParts(mesh);
-    return readGrainProperties(time);
+    return readGrainProperties(time, surroundingsIn(mesh));
 }
 
 } // namespace
@@ -76,7 +78,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     startHomes();
     if (properties_.solvesFluid) startFluid();
     report_ = std::make_unique<GrainReport>(time);
-    if (!properties_.walls.empty() || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
+    if (properties_.hasWalls || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
     logScene(Info, properties_, scene_, sumGrains(dynamics_->grains(), *ranks_.exchange()), mesh, hasGrainState(mesh));
 }
 
@@ -98,7 +100,7 @@ void CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
     GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
-    holdDriven(properties_.driven, state.grains, *ranks_.exchange(), isRestart && hasExits());
+    toldByFoam([&] { input::holdDriven(properties_.driven, state.grains, *ranks_.exchange(), isRestart && hasExits()); });
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;
     state = ranks_.share(state, {});
     memory_.start(state.grains.size());

@@ -119,7 +119,7 @@ std::vector<int> materialMap(const RunState& state, const nscd::Materials& prese
     return map;
 }
 
-int presentMaterial(label written, const std::vector<int>& map, const MaterialProperties& materials, const RunState& state)
+int presentMaterial(label written, const std::vector<int>& map, const input::MaterialTable& materials, const RunState& state)
 {
     if (written < 0 || written >= label(map.size()))
     {
@@ -142,7 +142,7 @@ void checkGrain(const polyMesh& mesh, label id, scalar diameter, const vector& p
 
 nscd::Grains readGrains
 (
-    const polyMesh& mesh, const RunState& state, const MaterialProperties& materials, const nscd::GrainShape& shape
+    const polyMesh& mesh, const RunState& state, const input::MaterialTable& materials, const nscd::GrainShape& shape
 )
 {
     const CloudReader cloud(mesh, "grains");
@@ -302,7 +302,7 @@ void refuseContact(const polyMesh& mesh, const nscd::StoredImpulse& contact)
 
 GrainState readGrainState
 (
-    const polyMesh& mesh, const MaterialProperties& materials, const nscd::GrainShape& shape,
+    const polyMesh& mesh, const input::MaterialTable& materials, const nscd::GrainShape& shape,
     const RestartExpectation& expected
 )
 {
