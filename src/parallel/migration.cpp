@@ -6,8 +6,8 @@
 
 #include "nscd/base/invalidValue.hpp"
 
-#include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace nscd
 {
@@ -18,15 +18,21 @@ namespace
 using Plain3 = std::array<double, 3>;
 using Plain4 = std::array<double, 4>;
 
-/// All properties of a grain; its Eigen types as plain numbers.
-struct GrainRecord
+template<class Value>
+constexpr std::size_t sizeOfEntry(std::vector<Value> Grains::*)
 {
-    Plain3 position, velocity, omega;
-    Plain4 orientation;
-    double radius, mass;
-    std::int64_t id;
-    std::int32_t material, isFixed;
-};
+    return sizeof(Value);
+}
+
+constexpr std::size_t grainBytes()
+{
+    std::size_t sum = 0;
+    Grains::forEachMember([&sum](const char*, auto array) { sum += sizeOfEntry(array); });
+    return sum;
+}
+
+/// The entries of one grain in all arrays, byte by byte one behind the other.
+using GrainRecord = std::array<char, grainBytes()>;
 
 Plain3 plain(const Vec3& v) { return {v[0], v[1], v[2]}; }
 Plain4 plain(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
@@ -52,26 +58,26 @@ struct ImpulseRecord
     std::array<Plain3, lawImpulses> ofLaws;
 };
 
-GrainRecord recordOf(const Grains& g, std::size_t i)
+GrainRecord recordOf(const Grains& grains, std::size_t i)
 {
-    return
+    GrainRecord record;
+    char* to = record.data();
+    Grains::forEachMember([&](const char*, auto array)
     {
-        plain(g.position[i]), plain(g.velocity[i]), plain(g.omega[i]), plain(g.orientation[i]), g.radius[i], g.mass[i], g.id[i],
-        g.material[i], g.isFixed[i]
-    };
+        std::memcpy(to, &(grains.*array)[i], sizeOfEntry(array));
+        to += sizeOfEntry(array);
+    });
+    return record;
 }
 
-void append(const GrainRecord& record, Grains& grains)
+void write(const GrainRecord& record, Grains& grains, std::size_t i)
 {
-    grains.position.push_back(vectorOf(record.position));
-    grains.velocity.push_back(vectorOf(record.velocity));
-    grains.omega.push_back(vectorOf(record.omega));
-    grains.orientation.push_back(quaternionOf(record.orientation));
-    grains.radius.push_back(record.radius);
-    grains.mass.push_back(record.mass);
-    grains.material.push_back(record.material);
-    grains.id.push_back(record.id);
-    grains.isFixed.push_back(static_cast<std::uint8_t>(record.isFixed));
+    const char* from = record.data();
+    Grains::forEachMember([&](const char*, auto array)
+    {
+        std::memcpy(static_cast<void*>(&(grains.*array)[i]), from, sizeOfEntry(array));
+        from += sizeOfEntry(array);
+    });
 }
 
 } // namespace
@@ -107,9 +113,9 @@ Grains Migration::moveGrains(const Grains& grains) const
     records = move(records);
     Grains received;
     received.shape = grains.shape;
-    received.reserve(records.size());
-    for (const GrainRecord& record : records) append(record, received);
+    received.forEachArray([&](auto& values) { values.resize(records.size()); });
     received.nOwned = received.size();
+    for (std::size_t i = 0; i < records.size(); ++i) write(records[i], received, i);
     return received;
 }
 

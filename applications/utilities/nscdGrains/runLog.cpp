@@ -57,7 +57,7 @@ std::string movingText(const SceneSettings& scene)
         if (patch.hasVelocity()) moving += " " + patch.name + (patch.motion ? "" : " (belt)");
     }
     std::size_t driven = 0;
-    for (const DrivenGroup& group : scene.driven) driven += group.grains.ids.size();
+    for (const input::DrivenGroup& group : scene.driven) driven += group.grains.ids.size();
     std::string text;
     if (!moving.empty()) text += "  moving   " + moving + "\n";
     if (driven > 0) text += formatted("  driven    %zu grains\n", driven);

@@ -4,15 +4,12 @@
 // Reading, starting and running a scene.
 #include "sceneRun.hpp"
 
-#include "grainSources.hpp"
-#include "materialReader.hpp"
-#include "motionReader.hpp"
 #include "resultsFolder.hpp"
 #include "runLog.hpp"
 #include "vtkFiles.hpp"
 #include "wallTable.hpp"
 
-#include "nscd/base/nearestWord.hpp"
+#include "input/scene/drivenReader.hpp"
 #include "nscd/base/stopwatch.hpp"
 #include "nscd/tools/sceneCheckpoint.hpp"
 
@@ -23,6 +20,8 @@
 
 namespace nscdGrains
 {
+
+using input::InputError;
 
 namespace
 {
@@ -82,7 +81,7 @@ private:
         const double deltaT = scene_.run.deltaT;
         const double next = nextTime(time_, deltaT);
         dynamics_->setTime(time_);
-        for (const DrivenGroup& group : scene_.driven) nscd::drive(group.grains, *dynamics_, time_, next);
+        input::driveGrains(scene_.driven, *dynamics_, time_, next);
         dynamics_->beginStep(deltaT);
         const nscd::StepReport report = dynamics_->advance(forces_);
         const bool isWritten = isWriteTime(next);
@@ -154,7 +153,6 @@ nscd::SceneState newStart(const SceneSettings& scene)
 {
     nscd::SceneState state;
     state.grains = placeGrains(scene);
-    holdDriven(scene, state.grains);
     checkGrains(scene, state.grains);
     return state;
 }
@@ -170,8 +168,8 @@ void renumberMaterials(nscd::SceneState& state, const SceneSettings& scene, cons
         const std::string name = isKnown ? state.materials[material] : "?";
         if (!isKnown || numberOf[material] < 0)
         {
-            const Place place = {scene.file, 0, "materials"};
-            fail({place, "lacks a material of the grains in " + path, name, "", scene.materials.table.names()});
+            const input::Place place = {scene.file, 0, "materials"};
+            throw InputError({place, "lacks a material of the grains in " + path, name, "", scene.materials.table.names()});
         }
         material = numberOf[material];
     }
@@ -193,16 +191,12 @@ nscd::SceneState storedStart(const SceneSettings& scene, const ResultsFolder& re
     const nscd::GrainShape& shape = state.grains.shape;
     if (shape.dimensions != scene.shape.dimensions || (scene.isPlanar() && shape.thickness != scene.shape.thickness))
     {
-        const std::string value = textOf("dimensions ", shape.dimensions, ", thickness ", shape.thickness, " in ", path);
-        fail({{scene.file, 0, "dimensions"}, "or thickness is not that of the state to go on from", value, "the same", {}});
+        const std::string value = input::textOf("dimensions ", shape.dimensions, ", thickness ", shape.thickness, " in ", path);
+        throw InputError({{scene.file, 0, "dimensions"}, "or thickness is not that of the state to go on from", value, "the same"});
     }
     renumberMaterials(state, scene, path);
-    holdDriven(scene, state.grains);
-    std::vector<int> used = state.grains.material;
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    checkPairs(scene, used);
-    checkPeriods(scene, state.grains);
+    input::holdDriven(scene.driven, state.grains);
+    checkMaterialsAndPeriods(scene, state.grains);
     for (Vec3& position : state.grains.position) position = scene.box.wrap(position);
     return state;
 }
@@ -221,7 +215,7 @@ RunOptions readOptions(int argc, const char* const* argv)
         else if (given[0] == '-' || hasScene)
         {
             const std::string problem = hasScene && given[0] != '-' ? "is a second scene" : "is no option of nscdGrains";
-            fail({{"command line", 0, ""}, given + " " + problem, given, "", {"-restart", "-overwrite", "-help"}});
+            throw InputError({{"command line"}, given + " " + problem, given, "", {"-restart", "-overwrite", "-help"}});
         }
         else
         {
@@ -229,7 +223,7 @@ RunOptions readOptions(int argc, const char* const* argv)
             hasScene = true;
         }
     }
-    if (options.goesOn && options.overwrites) fail({{"command line", 0, ""}, "-restart goes on, -overwrite starts anew", "", "one of the two", {}});
+    if (options.goesOn && options.overwrites) throw InputError({{"command line"}, "-restart goes on, -overwrite starts anew", "", "one of the two"});
     return options;
 }
 

@@ -26,7 +26,7 @@ RunOptions readOptions(int argc, const char* const* argv);
 void refuseRanks();
 
 /// Reads and checks everything, then runs the scene and writes its results.
-/// Errors: SceneError for a scene that cannot run; std::runtime_error where results cannot be written, or would be lost
+/// Errors: input::InputError for a scene that cannot run; std::runtime_error where results cannot be written, or would be lost
 void runScene(const RunOptions& options, std::ostream& log);
 
 } // namespace nscdGrains

@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The seven parts of a time step.
+// Tested by tests/foam/program/caseProgramTest.C tests/foam/program/ranksTest.C
 #include "coupling/step/coupledRun.H"
 
-#include "coupling/base/vectorConversion.H"
-#include "coupling/step/grainForces.H"
+#include "coupling/step/fluidAtGrains.H"
+
+#include "input/scene/drivenReader.hpp"
 
 #include <algorithm>
 
@@ -21,13 +23,6 @@ namespace
 /// The lag is then of order gamma dt/m, and the explicit pressure force far from its limit phi rho/(alpha rho_p) < 1.
 constexpr scalar weakDrag = 0.05;
 constexpr scalar lightFluid = 0.05;
-
-::nscd::ExternalForces withoutFluid(std::vector<Vec3> force)
-{
-    ::nscd::ExternalForces external;
-    external.force = std::move(force);
-    return external;
-}
 
 } // namespace
 
@@ -45,15 +40,19 @@ bool CoupledRun::nextStep()
 
 void CoupledRun::driveTo(scalar end, scalar deltaT)
 {
-    driveGrains(properties_.driven, *dynamics_, end - deltaT, end);
+    toldByFoam([&] { input::driveGrains(properties_.driven, *dynamics_, end - deltaT, end); });
 }
 
 void CoupledRun::sampleFluid()
 {
     const auto timer = timing_.time(StepPart::sampleFluid);
-    if (!hasFluid() || !hasGrains()) return;
+    if (hasFluid() && hasGrains()) sampleAtGrains(forces_.readsAtStart());
+}
+
+void CoupledRun::sampleAtGrains(unsigned wanted)
+{
     const volScalarField* alpha = feedsBack() ? &immersion_->sources.alpha : nullptr;
-    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, *immersion_->mapping, immersion_->atHome, active_, step_.at);
+    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, *immersion_->mapping, immersion_->atHome, wanted, step_.at);
 }
 
 void CoupledRun::linearizeDrag()
@@ -65,12 +64,10 @@ void CoupledRun::linearizeDrag()
     if (!hasFluid() || !hasGrains()) return;
 
     const ::nscd::Grains& grains = dynamics_->grains();
-    const scalar rho = immersion_->fluid->rho().value();
     step_.startVelocity = grains.velocity;
-    step_.force = steadyForces(grains, step_.at, active_, rho, gravity_);
-    step_.drag = active_.drag
-        ? nscdCoupling::linearizeDrag(grains, step_.at, step_.force, lastContactForce_, dragModel(), deltaT)
-        : noDrag(grains);
+    step_.exchanged = forces_.exchanged(forceInputs());
+    step_.force = forces_.explicitForces(forceInputs(), step_.exchanged);
+    step_.drag = forces_.linearize(forceInputs(), {step_.force, lastContactForce_, deltaT});
     ranks_.exchange()->max(&step_.drag.largestStiffness, 1);
     if (!feedsBack()) return;
 
@@ -78,17 +75,14 @@ void CoupledRun::linearizeDrag()
     double responds = step_.response.isZero ? 0 : 1;
     ranks_.exchange()->max(&responds, 1);
     step_.response.isZero = responds == 0;
-    handOver
-    (
-        grains, step_.drag, step_.response, debt_, *immersion_->mapping, immersion_->atHome, rho, deltaT, immersion_->sources
-    );
+    handOver(grains, step_, debt_, *immersion_->mapping, immersion_->atHome, fluidDensity(), deltaT, immersion_->sources);
 }
 
 bool CoupledRun::isLagAllowed() const
 {
     if (step_.drag.largestStiffness > weakDrag) return false;
     const ::nscd::Grains& grains = dynamics_->grains();
-    const scalar rho = immersion_->fluid->rho().value();
+    const scalar rho = fluidDensity();
     double heaviestFluid = 0;
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
@@ -102,12 +96,8 @@ GrainResponse CoupledRun::predictResponse()
 {
     const ::nscd::Grains& grains = dynamics_->grains();
     const scalar deltaT = time_.deltaTValue();
-    ::nscd::ExternalForces external = externalForces(grains, step_.force, step_.drag, step_.at);
-    external.speedScale = speedScale
-    (
-        grains, step_.at, step_.drag.implicit, step_.drag.remainder, immersion_->fluid->rho().value(), gravity_, deltaT,
-        *ranks_.exchange()
-    );
+    ::nscd::ExternalForces external = forces_.external(forceInputs(), step_.force, step_.drag);
+    external.speedScale = forces_.speedScale(forceInputs(), step_.exchanged, step_.drag, deltaT, *ranks_.exchange());
     dynamics_->beginStep(deltaT);
     ::nscd::Prediction prediction = freePrediction(grains, external, deltaT);
     std::vector<scalar> mobility(grains.size(), 1.0);
@@ -120,7 +110,7 @@ GrainResponse CoupledRun::predictResponse()
         step_.predictorSweeps = prediction.solve.sweeps + pushed.solve.sweeps;
         step_.predictorConverged = prediction.solve.converged && pushed.solve.converged;
     }
-    return contactAwareResponse(grains, step_.drag, step_.at, prediction, mobility, active_.pressureGradient, deltaT);
+    return contactAwareResponse(grains, step_.drag, step_.at, prediction, mobility, forces_.followPressure(), deltaT);
 }
 
 void CoupledRun::solveFluid()
@@ -136,15 +126,8 @@ void CoupledRun::fluidForces()
 {
     const auto timer = timing_.time(StepPart::fluidForces);
     if (!hasGrains()) return;
-    const ::nscd::Grains& grains = dynamics_->grains();
-    if (!hasFluid())
-    {
-        step_.force = steadyForces(grains, step_.at, active_, 0, gravity_);
-        return;
-    }
-    const volScalarField* alpha = feedsBack() ? &immersion_->sources.alpha : nullptr;
-    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, *immersion_->mapping, immersion_->atHome, active_, step_.at);
-    step_.force = steadyForces(grains, step_.at, active_, immersion_->fluid->rho().value(), gravity_);
+    if (hasFluid()) sampleAtGrains(forces_.readsAfterSolve());
+    step_.force = forces_.explicitForces(forceInputs(), step_.exchanged);
 }
 
 void CoupledRun::advanceGrains()
@@ -158,26 +141,21 @@ void CoupledRun::advanceGrains()
     for (label cycle = 0; cycle < subCycles; ++cycle)
     {
         if (subCycles > 1) driveTo(time_.value() - (subCycles - 1 - cycle)*deltaT, deltaT);
-        const LinearDrag drag = subCycles == 1 || !active_.drag
-            ? step_.drag : splitAgain(dynamics_->grains(), step_.drag, dragModel().weighting, deltaT);
+        const LinearDrag drag = subCycles == 1 || !hasFluid()
+            ? step_.drag : forces_.splitAgain(dynamics_->grains(), step_.drag, deltaT);
         step_.grainReport = worstOf(step_.grainReport, advanceOnce(drag, deltaT), cycle + 1);
     }
     reach_.displacement = step_.grainReport.maxDisplacement*subCycles;
     lastContactForce_ = dynamics_->contactForce();
     if (hasFluid()) recordFluidForce();
-    if (hasFluid() && feedsBack()) settleDebt();
+    if (hasFluid() && feedsBack()) settleDebts();
 }
 
 ::nscd::StepReport CoupledRun::advanceOnce(const LinearDrag& drag, scalar deltaT)
 {
     const ::nscd::Grains& grains = dynamics_->grains();
-    const scalar rho = hasFluid() ? immersion_->fluid->rho().value() : 0;
-    ::nscd::ExternalForces external = hasFluid()
-        ? externalForces(grains, step_.force, drag, step_.at) : withoutFluid(step_.force);
-    external.speedScale = speedScale
-    (
-        grains, step_.at, drag.implicit, drag.remainder, rho, gravity_, deltaT, *ranks_.exchange()
-    );
+    ::nscd::ExternalForces external = forces_.external(forceInputs(), step_.force, drag);
+    external.speedScale = forces_.speedScale(forceInputs(), step_.exchanged, drag, deltaT, *ranks_.exchange());
 
     const std::vector<Vec3> before = drag.implicit.empty() ? std::vector<Vec3>() : grains.velocity;
     dynamics_->beginStep(deltaT);
@@ -193,32 +171,20 @@ void CoupledRun::advanceGrains()
 void CoupledRun::recordFluidForce()
 {
     const ::nscd::Grains& grains = dynamics_->grains();
-    fluidForce_.resize(grains.size());
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         fluidForce_[i] = step_.force[i] - grains.mass[i]*toVec3(gravity_) + step_.received[i]/time_.deltaTValue();
     }
 }
 
-void CoupledRun::settleDebt()
+void CoupledRun::settleDebts()
 {
     const scalar deltaT = time_.deltaTValue();
-    Vec3 balance = Vec3::Zero();
-    double sizes[2] = {0, 0};   // of what grains received, and of what they carry [N s]
-    for (std::size_t i = 0; i < step_.received.size(); ++i)
-    {
-        const Vec3& u = step_.at.velocity[i];
-        const Vec3 gradient = active_.pressureGradient ? step_.at.pressureGradient[i] : Vec3(Vec3::Zero());
-        const Vec3 paid = deltaT*paidDrag(step_.drag, step_.response, step_.startVelocity[i], i, u, gradient);
-        const Vec3 repaid = repaidShare*debt_[i];
-        balance += paid - repaid;
-        sizes[0] += step_.received[i].norm();
-        sizes[1] += dynamics_->grains().mass[i]*step_.startVelocity[i].norm();
-        debt_[i] += paid - step_.received[i] - repaid;
-    }
-    ranks_.exchange()->sum(balance.data(), 3);
+    StepBalance here = settleDebt(dynamics_->grains(), step_, deltaT, debt_);
+    double sizes[2] = {here.received, here.carried};
+    ranks_.exchange()->sum(here.paid.data(), 3);
     ranks_.exchange()->sum(sizes, 2);
-    balance += deltaT*toVec3(step_.spreadForce);
+    const Vec3 balance = here.paid + deltaT*toVec3(step_.spreadForce);
     step_.momentumError = balance.norm()/std::max({sizes[0], sizes[1], VSMALL});
 }
 
@@ -273,7 +239,7 @@ void CoupledRun::removeExited(const std::vector<label>& cells)
     ::nscd::Grains grains = dynamics_->grains();
     eraseGrains(grains, gone);
     dynamics_->setGrains(std::move(grains));
-    for (std::vector<Vec3>* perGrain : {&debt_, &lastContactForce_, &fluidForce_}) eraseAt(*perGrain, gone);
+    memory_.erase(gone);
     if (homes_) homes_->erase(gone);
     exited_ += static_cast<std::int64_t>(number);
     nGrains_ -= static_cast<std::int64_t>(number);

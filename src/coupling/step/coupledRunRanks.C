@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What a run on several ranks does beside the seven parts: grains change their owners, and go home to be written.
+// Tested by tests/foam/program/ranksTest.C
 #include "coupling/step/coupledRun.H"
 
 #include "coupling/base/vectorConversion.H"
@@ -19,9 +20,7 @@ GrainState CoupledRun::takeState()
     state.numbers = {{"exited", scalar(exited_)}, {"time", time_.value()}, {"courant", reach_.courant}, {"displacement", reach_.displacement}};
     state.contacts = dynamics_->checkpoint(state.numbers["lastDeltaT"]);
     state.grains = dynamics_->grains();
-    state.extras.vectors[dragDebtField] = debt_;
-    state.extras.vectors[contactForceField] = lastContactForce_;
-    state.extras.vectors[fluidForceField] = fluidForce_;
+    memory_.copyTo(state);
     return state;
 }
 
@@ -29,9 +28,7 @@ void CoupledRun::setState(const GrainState& state)
 {
     dynamics_->setGrains(state.grains);
     dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
-    debt_ = state.extras.vectors.at(dragDebtField);
-    lastContactForce_ = state.extras.vectors.at(contactForceField);
-    fluidForce_ = state.extras.vectors.at(fluidForceField);
+    memory_.takeFrom(state);
     if (homes_) homes_->forget();
     if (hasFluid() && hasGrains()) updateWeights();
 }

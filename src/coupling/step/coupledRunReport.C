@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What a run tells: log, report and written times.
+// Tested by tests/foam/program/caseProgramTest.C
 #include "coupling/step/coupledRun.H"
 
 #include "coupling/base/vectorConversion.H"

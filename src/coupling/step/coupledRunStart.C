@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // How a run starts: from grainProperties, or from a written time.
+// Tested by tests/foam/program/caseProgramTest.C
 #include "coupling/step/coupledRun.H"
 
 #include "coupling/case/files/processorFolders.H"
@@ -11,6 +12,8 @@
 #include "coupling/case/start/parallelRefusal.H"
 #include "nscd/contacts/contactLaw.hpp"
 
+#include "input/scene/drivenReader.hpp"
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -18,6 +21,13 @@ namespace nscdCoupling
 
 namespace
 {
+
+constexpr bool isWritten = true;
+
+// What each grain remembers from one step to the next.
+const Remembered<Vec3> dragDebt{"dragDebt", "N s", Vec3::Zero(), isWritten, OnRestart::required};
+const Remembered<Vec3> contactForce{"fContact", "N", Vec3::Zero(), isWritten, OnRestart::required};
+const Remembered<Vec3> fluidForce{"fFluid", "N", Vec3::Zero(), isWritten, OnRestart::forgotten};
 
 /// The time that a directory's name gives has lost digits; a directory that was renamed, to start anew at 0 say, keeps its name.
 void continueTime(Time& time, scalar written)
@@ -36,18 +46,16 @@ bool areAllFixed(const ::nscd::Grains& grains, const ::nscd::Exchange& exchange)
     return anyMoves == 0;
 }
 
-ActiveForces activeForces(const ForceSettings& forces, bool hasFluid, bool canTurn)
+ForceConditions forceConditions(const GrainProperties& properties, const GrainScene& scene)
 {
-    if (!hasFluid) return {false, false, false, false};
-    const bool hasDrag = forces.dragLaw != "none";
-    return {hasDrag, forces.pressureGradient, forces.viscous, hasDrag && canTurn && forces.spinDrag};
+    return {properties.solvesFluid, ::nscd::actsOnSpins(properties.materials.table), scene.space.shape.dimensions == 3};
 }
 
 GrainProperties readRunnable(const Time& time, const polyMesh& mesh)
 {
     refuseCollatedFiles();
     checkMeshParts(mesh);
-    return readGrainProperties(time);
+    return readGrainProperties(time, surroundingsIn(mesh));
 }
 
 } // namespace
@@ -59,22 +67,25 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     properties_(readRunnable(time, mesh)),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
-    active_(activeForces(properties_.forces, properties_.solvesFluid, ::nscd::actsOnSpins(properties_.materials.table))),
+    forces_(properties_.forces, forceConditions(properties_, scene_)),
     ranks_(properties_.maxLoadImbalance),
+    debt_(memory_.add(dragDebt)),
+    lastContactForce_(memory_.add(contactForce)),
+    fluidForce_(memory_.add(fluidForce)),
     log_(time, Info, properties_.solvesFluid)
 {
     startGrains();
     startHomes();
     if (properties_.solvesFluid) startFluid();
     report_ = std::make_unique<GrainReport>(time);
-    if (!properties_.walls.empty() || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
+    if (properties_.hasWalls || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
     logScene(Info, properties_, scene_, sumGrains(dynamics_->grains(), *ranks_.exchange()), mesh, hasGrainState(mesh));
 }
 
 GrainState CoupledRun::readState() const
 {
     RestartExpectation expected;
-    expected.vectors = {dragDebtField, contactForceField};
+    memory_.expect(expected);
     expected.numbers = {"exited", "lastDeltaT", "time", "courant", "displacement"};
     expected.nWallRegions = label(scene_.walls.regions.size());
     return readGrainState(mesh_, properties_.materials, scene_.space.shape, expected);
@@ -82,28 +93,24 @@ GrainState CoupledRun::readState() const
 
 GrainState CoupledRun::newState() const
 {
-    return GrainState{makeFirstGrains(properties_, scene_, mesh_, *ranks_.exchange()), {}, {}, {}};
+    return GrainState{makeFirstGrains(properties_, scene_, mesh_, *ranks_.exchange()), {}, {}, {}, {}};
 }
 
 void CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
     GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
-    holdDriven(properties_.driven, state.grains, *ranks_.exchange(), isRestart && hasExits());
+    toldByFoam([&] { input::holdDriven(properties_.driven, state.grains, *ranks_.exchange(), isRestart && hasExits()); });
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;
     state = ranks_.share(state, {});
-    const std::size_t n = state.grains.size();
+    memory_.start(state.grains.size());
     dynamics_ = std::make_unique<::nscd::GrainDynamics>
     (
         std::move(state.grains), properties_.materials.table, scene_.walls, scene_.box, properties_.contact, ranks_.exchange()
     );
-    debt_.assign(n, Vec3::Zero());
-    lastContactForce_.assign(n, Vec3::Zero());
-    fluidForce_.assign(n, Vec3::Zero());
     if (!isRestart) return;
 
-    debt_ = state.extras.vectors.at(dragDebtField);
-    lastContactForce_ = state.extras.vectors.at(contactForceField);
+    memory_.recall(state.extras, Info);
     exited_ = static_cast<std::int64_t>(state.numbers.at("exited"));
     continueTime(time_, state.numbers.at("time"));
     reach_ = {state.numbers.at("courant"), state.numbers.at("displacement"), true};
@@ -139,17 +146,6 @@ void CoupledRun::startFluid()
     checkTransportProperties(time_);
     immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());
     checkNumerics(immersion_->fluid->phi(), sources.hasGrains || properties_.holdsMeanFlow);
-}
-
-DragModel CoupledRun::dragModel() const
-{
-    return
-    {
-        closures::findDragLaw(properties_.forces.dragLaw).law,
-        closures::findDragWeighting(properties_.forces.dragWeight),
-        immersion_->fluid->rho().value(),
-        active_.spinDrag
-    };
 }
 
 } // namespace nscdCoupling

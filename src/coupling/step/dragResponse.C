@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Linear drag and response, grain by grain.
+// The response, grain by grain.
 #include "coupling/step/dragResponse.H"
 
 #include <algorithm>
@@ -17,106 +17,7 @@ namespace
 /// The trial push against the speed scale of the step: well above the contact tolerance, well below what moves a bed.
 constexpr scalar pushShare = 0.1;
 
-closures::GrainSize sizeOf(const ::nscd::Grains& grains, std::size_t i)
-{
-    return grains.shape.dimensions == 2
-        ? closures::discSize(2*grains.radius[i], grains.shape.thickness)
-        : closures::sphereSize(2*grains.radius[i]);
-}
-
-scalar dragCoefficient
-(
-    const ::nscd::Grains& grains, const FluidAtGrains& at, std::size_t i, const Vec3& force, bool isFree,
-    const DragModel& model, scalar deltaT
-)
-{
-    closures::DragState state;
-    state.size = sizeOf(grains, i);
-    state.slip = (at.velocity[i] - grains.velocity[i]).norm();
-    state.fluidFraction = at.fluidFraction[i];
-    state.density = model.fluidDensity;
-    state.viscosity = at.viscosity[i];
-    if (!isFree) return model.law(state);
-    const closures::DragStep step{at.velocity[i], force, grains.mass[i], deltaT};
-    return closures::gammaAtMidSlip(model.law, state, step, grains.velocity[i], model.weighting);
-}
-
-scalar spinDrag(const ::nscd::Grains& grains, std::size_t i, scalar viscosity)
-{
-    return grains.shape.dimensions == 2
-        ? closures::discSpinDrag(2*grains.radius[i], grains.shape.thickness, viscosity)
-        : closures::sphereSpinDrag(2*grains.radius[i], viscosity);
-}
-
-void setSplit
-(
-    LinearDrag& drag, std::size_t i, scalar gamma, scalar mass, closures::DragWeighting weighting, scalar deltaT
-)
-{
-    const closures::DragSplit split = closures::splitDrag(gamma, mass, deltaT, weighting);
-    drag.implicit[i] = split.implicit;
-    drag.remainder[i] = split.remainder;
-    drag.velocityFactor[i] = mass/(mass + split.implicit*deltaT);
-}
-
 } // namespace
-
-LinearDrag noDrag(const ::nscd::Grains& grains)
-{
-    LinearDrag drag;
-    drag.implicit.assign(grains.size(), 0.0);
-    drag.remainder.assign(grains.size(), 0.0);
-    drag.velocityFactor.assign(grains.size(), 1.0);
-    return drag;
-}
-
-LinearDrag splitAgain(const ::nscd::Grains& grains, const LinearDrag& drag, closures::DragWeighting weighting, scalar deltaT)
-{
-    LinearDrag shorter = drag;
-    for (std::size_t i = 0; i < grains.size(); ++i)
-    {
-        setSplit(shorter, i, drag.implicit[i] + drag.remainder[i], grains.mass[i], weighting, deltaT);
-    }
-    return shorter;
-}
-
-LinearDrag linearizeDrag
-(
-    const ::nscd::Grains& grains, const FluidAtGrains& at, const std::vector<Vec3>& force,
-    const std::vector<Vec3>& lastContactForce, const DragModel& model, scalar deltaT
-)
-{
-    LinearDrag drag = noDrag(grains);
-    for (std::size_t i = 0; i < grains.size(); ++i)
-    {
-        const bool isFree = !grains.isFixed[i] && lastContactForce[i] == Vec3::Zero();
-        const scalar gamma = dragCoefficient(grains, at, i, force[i], isFree, model, deltaT);
-        setSplit(drag, i, gamma, grains.mass[i], model.weighting, deltaT);
-        if (!grains.isFixed[i]) drag.largestStiffness = std::max(drag.largestStiffness, gamma*deltaT/grains.mass[i]);
-    }
-    if (!model.hasSpinDrag) return drag;
-    drag.spin.resize(grains.size());
-    for (std::size_t i = 0; i < grains.size(); ++i) drag.spin[i] = spinDrag(grains, i, at.viscosity[i]);
-    return drag;
-}
-
-::nscd::ExternalForces externalForces
-(
-    const ::nscd::Grains& grains, const std::vector<Vec3>& force, const LinearDrag& drag, const FluidAtGrains& at
-)
-{
-    ::nscd::ExternalForces external;
-    external.force = force;
-    external.implicitDrag = drag.implicit;
-    for (std::size_t i = 0; i < drag.implicit.size(); ++i)
-    {
-        external.force[i] += drag.implicit[i]*at.velocity[i] + drag.remainder[i]*(at.velocity[i] - grains.velocity[i]);
-    }
-    external.implicitSpinDrag = drag.spin;
-    external.torque.resize(drag.spin.size());
-    for (std::size_t i = 0; i < drag.spin.size(); ++i) external.torque[i] = drag.spin[i]*at.spin[i];
-    return external;
-}
 
 TrialPush makeTrialPush
 (

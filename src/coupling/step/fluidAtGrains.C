@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Sampling of the fluid at the grains.
+// Which fields are asked for, and the way of their values to the grains.
 #include "coupling/step/fluidAtGrains.H"
 
 #include "coupling/case/walls/patchRoles.H"
@@ -28,46 +28,51 @@ void keepInPlane(FluidAtGrains& at, int emptyAxis)
     for (Vec3& spin : at.spin) spin = spin[emptyAxis]*Vec3::Unit(emptyAxis);
 }
 
-} // namespace
-
-
-void sampleFluid
-(
-    const FluidSolver& fluid, const volScalarField* alpha, const GrainMapping& mapping, const GrainsAtHome& atHome,
-    const ActiveForces& active, FluidAtGrains& at
-)
+/// The cell fields that are wanted, each with where its values go, and those of them that were made for it.
+struct WantedFields
 {
     std::vector<ScalarSample> scalars;
     std::vector<VectorSample> vectors;
     tmp<volScalarField> nu;
-    tmp<volVectorField> divTau, spin;
+    tmp<volVectorField> spin;
 
-    vectors.push_back({fluid.U().primitiveField(), at.velocity});
-    if (active.drag)
+    WantedFields(const FluidSolver& fluid, const volScalarField* alpha, unsigned wanted, FluidAtGrains& at)
     {
-        nu = fluid.nu();
-        scalars.push_back({nu().primitiveField(), at.viscosity});
-        if (alpha) scalars.push_back({alpha->primitiveField(), at.fluidFraction});
+        vectors.push_back({fluid.U().primitiveField(), at.velocity});
+        if (wanted & reads::pressureGradient) vectors.push_back({fluid.balancedPressureGradient().primitiveField(), at.pressureGradient});
+        if (wanted & reads::divTau) vectors.push_back({fluid.divTau().primitiveField(), at.divTau});
+        if (wanted & reads::spin)
+        {
+            spin = 0.5*fvc::curl(fluid.U());
+            vectors.push_back({spin().primitiveField(), at.spin});
+        }
+        if (wanted & reads::viscosity)
+        {
+            nu = fluid.nu();
+            scalars.push_back({nu().primitiveField(), at.viscosity});
+        }
+        if (wanted & reads::fluidFraction && alpha) scalars.push_back({alpha->primitiveField(), at.fluidFraction});
     }
-    if (active.pressureGradient) vectors.push_back({fluid.balancedPressureGradient().primitiveField(), at.pressureGradient});
-    if (active.viscous)
-    {
-        divTau = fluid.divTau();
-        vectors.push_back({divTau().primitiveField(), at.divTau});
-    }
-    if (active.spinDrag)
-    {
-        spin = 0.5*fvc::curl(fluid.U());
-        vectors.push_back({spin().primitiveField(), at.spin});
-    }
-    mapping.sample(scalars, vectors);
+};
+
+} // namespace
+
+void sampleFluid
+(
+    const FluidSolver& fluid, const volScalarField* alpha, const GrainMapping& mapping, const GrainsAtHome& atHome,
+    unsigned wanted, FluidAtGrains& at
+)
+{
+    const WantedFields fields(fluid, alpha, wanted, at);
+    mapping.sample(fields.scalars, fields.vectors);
 
     GrainValues sampled;
-    for (const ScalarSample& field : scalars) sampled.scalars.push_back(&field.grains);
-    for (const VectorSample& field : vectors) sampled.vectors.push_back(&field.grains);
+    for (const ScalarSample& field : fields.scalars) sampled.scalars.push_back(&field.grains);
+    for (const VectorSample& field : fields.vectors) sampled.vectors.push_back(&field.grains);
     atHome.toOwners(sampled);
     keepInPlane(at, emptyAxis(fluid.U().mesh()));
-    if (active.drag && !alpha) at.fluidFraction.assign(at.velocity.size(), 1.0);
+    if (wanted & reads::fluidFraction && !alpha) at.fluidFraction.assign(at.velocity.size(), 1.0);
+    if (!(wanted & reads::viscosity)) return;
     for (scalar& viscosity : at.viscosity) viscosity *= fluid.rho().value();
 }
 

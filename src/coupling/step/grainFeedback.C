@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Spreading of drag and response.
+// Spreading what acts on the grains, and booking what both sides got.
 #include "coupling/step/grainFeedback.H"
 
 namespace Foam
@@ -25,10 +25,11 @@ struct GrainAmounts
 
 GrainAmounts amountsOf
 (
-    const ::nscd::Grains& grains, const LinearDrag& drag, const GrainResponse& response, const std::vector<Vec3>& debt,
-    scalar fluidDensity, scalar deltaT
+    const ::nscd::Grains& grains, const GrainExchange& step, const std::vector<Vec3>& debt, scalar fluidDensity, scalar deltaT
 )
 {
+    const LinearDrag& drag = step.drag;
+    const GrainResponse& response = step.response;
     const std::size_t n = grains.nOwned;
     GrainAmounts amounts;
     amounts.drag.resize(n);
@@ -52,6 +53,7 @@ GrainAmounts amountsOf
         amounts.slip[i] = grains.volume(i)*response.slip[i];
         amounts.mobility[i] = fluidDensity*grains.volume(i)*response.mobility[i];
     }
+    for (std::size_t i = 0; i < step.exchanged.size(); ++i) amounts.acceleration[i] -= step.exchanged[i]/fluidDensity;
     return amounts;
 }
 
@@ -59,11 +61,12 @@ GrainAmounts amountsOf
 
 void handOver
 (
-    const ::nscd::Grains& grains, const LinearDrag& drag, const GrainResponse& response, const std::vector<Vec3>& debt,
-    const GrainMapping& mapping, const GrainsAtHome& atHome, scalar fluidDensity, scalar deltaT, GrainSources& sources
+    const ::nscd::Grains& grains, const GrainExchange& step, const std::vector<Vec3>& debt, const GrainMapping& mapping,
+    const GrainsAtHome& atHome, scalar fluidDensity, scalar deltaT, GrainSources& sources
 )
 {
-    GrainAmounts amounts = amountsOf(grains, drag, response, debt, fluidDensity, deltaT);
+    const GrainResponse& response = step.response;
+    GrainAmounts amounts = amountsOf(grains, step, debt, fluidDensity, deltaT);
     GrainValues values{{&amounts.drag}, {&amounts.acceleration, &amounts.carried}};
     if (!response.isZero) values.scalars.insert(values.scalars.end(), {&amounts.pressure, &amounts.slip, &amounts.mobility});
     atHome.toHomes(values);
@@ -100,6 +103,31 @@ vector spreadForce(const GrainSources& sources, const FluidSolver& fluid)
     }
     reduce(force, sumOp<vector>());
     return force;
+}
+
+StepBalance settleDebt(const ::nscd::Grains& grains, const GrainExchange& step, scalar deltaT, std::vector<Vec3>& debt)
+{
+    const std::size_t n = step.received.size();
+    const bool feelsPressure = !step.at.pressureGradient.empty();
+    const std::vector<Vec3> none(feelsPressure ? 0 : n, Vec3::Zero());
+    const std::vector<Vec3>& gradient = feelsPressure ? step.at.pressureGradient : none;
+    StepBalance balance;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const Vec3& v0 = step.startVelocity[i];
+        const Vec3 paid = deltaT*paidDrag(step.drag, step.response, v0, i, step.at.velocity[i], gradient[i]);
+        const Vec3 repaid = repaidShare*debt[i];
+        balance.paid += paid - repaid;
+        balance.received += step.received[i].norm();
+        balance.carried += grains.mass[i]*v0.norm();
+        debt[i] += paid - step.received[i] - repaid;
+    }
+    for (const Vec3& force : step.exchanged)
+    {
+        balance.paid += deltaT*force;
+        balance.received += deltaT*force.norm();
+    }
+    return balance;
 }
 
 } // namespace nscdCoupling

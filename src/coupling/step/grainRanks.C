@@ -41,6 +41,14 @@ std::vector<int> destinationsOfContacts(const GrainState& state, const std::vect
     return ofContacts;
 }
 
+GrainExtras movedExtras(const ::nscd::Migration& move, const GrainExtras& extras)
+{
+    GrainExtras there;
+    for (const auto& [name, values] : extras.scalars) there.scalars[name] = move.move(values);
+    for (const auto& [name, values] : extras.vectors) there.vectors[name] = move.move(values);
+    return there;
+}
+
 void checkDuplicates(const ::nscd::IdDirectory& directory, const polyMesh& mesh)
 {
     if (directory.duplicates() == 0) return;
@@ -90,8 +98,8 @@ GrainState GrainRanks::moved(const GrainState& state, const std::vector<int>& de
     const ::nscd::Migration move(mpi_->tree().all(), destination);
     GrainState there;
     there.grains = move.moveGrains(state.grains);
-    for (const auto& [name, values] : state.extras.scalars) there.extras.scalars[name] = move.move(values);
-    for (const auto& [name, values] : state.extras.vectors) there.extras.vectors[name] = move.move(values);
+    there.extras = movedExtras(move, state.extras);
+    there.unwritten = movedExtras(move, state.unwritten);
     there.contacts = ::nscd::moveImpulses(mpi_->tree().all(), state.contacts, destinationsOfContacts(state, destination));
     there.numbers = state.numbers;
     return there;

@@ -60,23 +60,31 @@ struct Grains
     void reserve(std::size_t number);
     void shrinkToFit();
 
-    /// Calls change(values) for each of the arrays with an entry per grain.
+    /// Calls visit(name, array) for each array with an entry per grain, as a pointer to the member: the one list of them, which
+    /// copying, removing, sending and storing of grains follow. The names stand in checkpoint files, in this order.
+    template<class Visit>
+    static constexpr void forEachMember(const Visit& visit);
+
+    /// Calls change(values) for each of these arrays.
     template<class Change>
-    void forEachArray(const Change& change);
+    void forEachArray(const Change& change)
+    {
+        forEachMember([&](const char*, auto array) { change(this->*array); });
+    }
 };
 
-template<class Change>
-void Grains::forEachArray(const Change& change)
+template<class Visit>
+constexpr void Grains::forEachMember(const Visit& visit)
 {
-    change(position);
-    change(velocity);
-    change(omega);
-    change(orientation);
-    change(radius);
-    change(mass);
-    change(material);
-    change(id);
-    change(isFixed);
+    visit("position", &Grains::position);
+    visit("velocity", &Grains::velocity);
+    visit("omega", &Grains::omega);
+    visit("orientation", &Grains::orientation);
+    visit("radius", &Grains::radius);
+    visit("mass", &Grains::mass);
+    visit("material", &Grains::material);
+    visit("id", &Grains::id);
+    visit("isFixed", &Grains::isFixed);
 }
 
 /// Sum of all owned grains' volume [m3].

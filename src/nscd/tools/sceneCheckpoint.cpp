@@ -56,15 +56,7 @@ std::vector<std::string> split(const std::vector<char>& text)
 template<class Grains, class Section>
 void forEachNamedArray(Grains& grains, const Section& section)
 {
-    section("position", grains.position);
-    section("velocity", grains.velocity);
-    section("omega", grains.omega);
-    section("orientation", grains.orientation);
-    section("radius", grains.radius);
-    section("mass", grains.mass);
-    section("material", grains.material);
-    section("id", grains.id);
-    section("isFixed", grains.isFixed);
+    nscd::Grains::forEachMember([&](const char* name, auto array) { section(name, grains.*array); });
 }
 
 template<class Clumps, class Section>

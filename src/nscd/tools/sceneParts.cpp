@@ -15,9 +15,6 @@ namespace nscd
 namespace
 {
 
-/// Uniform in [0, 1) to 53 bits; the standard library's own distributions differ between implementations.
-double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11)*0x1.0p-53; }
-
 void check(const GrainLattice& lattice)
 {
     for (const int count : lattice.count)
@@ -30,15 +27,19 @@ void check(const GrainLattice& lattice)
 
 } // namespace
 
-void addLattice(Grains& grains, const GrainLattice& lattice, double density, int material)
+RandomNumbers randomNumbers(std::uint64_t seed)
+{
+    // The standard library's own distributions differ between implementations.
+    return [engine = std::mt19937_64(seed)]() mutable { return static_cast<double>(engine() >> 11)*0x1.0p-53; };
+}
+
+void forEachGrain(const GrainLattice& lattice, const RandomNumbers& random, const std::function<void(const Vec3&, double)>& add)
 {
     check(lattice);
-    std::mt19937_64 random(lattice.seed);
     const std::array<int, 3>& count = lattice.count;
     const double largest = lattice.diameter*(1.0 + lattice.spread);
     const Vec3 spacing = (lattice.upper - lattice.lower).cwiseQuotient(Vec3(count[0], count[1], count[2]));
     const Vec3 shake = lattice.jitter*(spacing.array() - largest).max(0.0);
-    grains.reserve(grains.size() + static_cast<std::size_t>(count[0])*count[1]*count[2]);
     for (int k = 0; k < count[2]; ++k)
     {
         for (int j = 0; j < count[1]; ++j)
@@ -46,13 +47,22 @@ void addLattice(Grains& grains, const GrainLattice& lattice, double density, int
             for (int i = 0; i < count[0]; ++i)
             {
                 Vec3 x = lattice.lower + Vec3(i + 0.5, j + 0.5, k + 0.5).cwiseProduct(spacing);
-                for (int axis = 0; axis < 3; ++axis) x[axis] += shake[axis]*(uniform(random) - 0.5);
-                const double offset = 2.0*uniform(random) - 1.0;
-                const double radius = 0.5*lattice.diameter*(1.0 + lattice.spread*offset);
-                grains.add(x, radius, density, material, static_cast<std::int64_t>(grains.size()));
+                for (int axis = 0; axis < 3; ++axis) x[axis] += shake[axis]*(random() - 0.5);
+                const double offset = 2.0*random() - 1.0;
+                add(x, lattice.diameter*(1.0 + lattice.spread*offset));
             }
         }
     }
+}
+
+void addLattice(Grains& grains, const GrainLattice& lattice, double density, int material)
+{
+    check(lattice);
+    grains.reserve(grains.size() + static_cast<std::size_t>(lattice.count[0])*lattice.count[1]*lattice.count[2]);
+    forEachGrain(lattice, randomNumbers(lattice.seed), [&](const Vec3& x, double diameter)
+    {
+        grains.add(x, 0.5*diameter, density, material, static_cast<std::int64_t>(grains.size()));
+    });
 }
 
 void addBox(Walls& walls, int patch, const Vec3& lower, const Vec3& upper)

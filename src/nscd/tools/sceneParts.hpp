@@ -7,6 +7,8 @@
 #include "nscd/step/grainDynamics.hpp"
 
 #include <array>
+#include <cstdint>
+#include <functional>
 
 namespace nscd
 {
@@ -23,8 +25,18 @@ struct GrainLattice
     std::uint64_t seed = 1;      ///< of the random numbers, which are the same on every machine
 };
 
+/// Numbers uniform in [0, 1), one after the other.
+using RandomNumbers = std::function<double()>;
+
+/// Those of a seed, to 53 bits, the same on every machine.
+RandomNumbers randomNumbers(std::uint64_t seed);
+
+/// Calls add(center, diameter) for each grain of a lattice, x running fastest. Of the numbers each takes four: its shift along x, y, z, its diameter.
+/// Errors: std::invalid_argument for a count below 1, a spread outside [0, 1), a jitter outside [0, 1]
+void forEachGrain(const GrainLattice& lattice, const RandomNumbers& random, const std::function<void(const Vec3&, double)>& add);
+
 /// Appends the grains of a lattice, at rest; identities go on from the number of grains there are.
-/// Errors: std::invalid_argument for a count below 1, a spread outside [0, 1), a jitter outside [0, 1], and what Grains::add refuses
+/// Errors: as forEachGrain(), and what Grains::add refuses
 void addLattice(Grains& grains, const GrainLattice& lattice, double density, int material);
 
 /// Adds the six sides of a box that holds the grains, as infinite planes of one patch.

@@ -40,7 +40,10 @@ using Numbers = std::vector<double>;
 using WallReaches = std::vector<nscd::WallReach>;
 
 // A member function is called as one that takes its object first.
-COUNTED("sweep", DefectSums, _ZN4nscd11sweepActiveERNS_14ContactProblemE, (ContactProblem& problem), (problem))
+COUNTED
+(
+    "sweep", DefectSums, _ZN4nscd11sweepActiveERNS_14ContactProblemERKNS_7SweepOnE, (ContactProblem& problem, const nscd::SweepOn& on), (problem, on)
+)
 COUNTED("check", DefectSums, _ZN4nscd8residualERNS_14ContactProblemE, (ContactProblem& problem), (problem))
 COUNTED("check", bool, _ZN4nscd10wakeBlocksERNS_14ContactProblemE, (ContactProblem& problem), (problem))
 COUNTED("mixing", void, _ZN4nscd15replaceImpulsesERNS_14ContactProblemERSt6vectorIdSaIdEE, (void* problem, void* target), (problem, target))

@@ -24,14 +24,14 @@ using nscd::Vec3;
 namespace
 {
 
-MaterialProperties twoMaterials(const std::string& first = "glass", const std::string& second = "lead")
+input::MaterialTable twoMaterials(const std::string& first = "glass", const std::string& second = "lead")
 {
-    MaterialProperties materials;
+    input::MaterialTable materials;
     for (const std::string& name : {first, second})
     {
         materials.table.add(name);
         materials.density.push_back(name == "lead" ? 11000 : 2500);
-        materials.place.push_back(InputPlace());
+        materials.place.push_back(Place());
     }
     return materials;
 }
@@ -54,7 +54,7 @@ GrainState randomState(int n)
     GrainState state;
     std::vector<scalar> temperature;
     std::vector<Vec3> force;
-    const MaterialProperties materials = twoMaterials();
+    const input::MaterialTable materials = twoMaterials();
     for (int i = 0; i < n; ++i)
     {
         const int material = i % 2;
@@ -96,7 +96,7 @@ void write(BoxMesh& box, const GrainState& state)
     writeGrainState(box.mesh(), state, twoMaterials().table, cells);
 }
 
-GrainState readBack(BoxMesh& box, const MaterialProperties& materials = twoMaterials())
+GrainState readBack(BoxMesh& box, const input::MaterialTable& materials = twoMaterials())
 {
     return readGrainState(box.mesh(), materials, nscd::GrainShape(), expectation());
 }
@@ -164,7 +164,7 @@ TEST(Restart, rollingMomentsAreWrittenWhereThereIsRollingFriction)
     for (nscd::StoredImpulse& contact : state.contacts) contact.ofLaws[0] = 0.1*contact.impulse;
     for (const bool isRolling : {true, false})
     {
-        MaterialProperties materials = twoMaterials();
+        input::MaterialTable materials = twoMaterials();
         nscd::ContactPair pair;
         pair.rollingFriction = isRolling ? 0.1 : 0;
         materials.table.setPair(0, 1, pair);

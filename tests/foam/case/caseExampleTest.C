@@ -11,6 +11,7 @@
 #include "OSspecific.H"
 
 #include <algorithm>
+#include <fstream>
 #include <regex>
 #include <sstream>
 
@@ -29,6 +30,23 @@ dictionary exampleDict()
     dictionary dict("grainProperties.example", dictionary::null, is);
     dict.remove("FoamFile");
     return dict;
+}
+
+/// A surface in place of those that the example names.
+struct Surface
+{
+    const fileName path = cwd()/"caseExampleTest.stl";
+
+    Surface() { std::ofstream(path) << "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"; }
+    ~Surface() { rm(path); }
+};
+
+GrainProperties read(const dictionary& dict)
+{
+    const Surface surface;
+    input::Surroundings around = foamSurroundings();
+    around.pathOfSurface = [&](const std::string&) { return surface.path; };
+    return readGrainProperties(dict, around);
 }
 
 GrainProperties firstCase()
@@ -61,7 +79,7 @@ Words keywordsAt(const std::string& path)
     std::istringstream steps(path);
     for (std::string step; std::getline(steps, step, '/');) at = &at->subDict(step);
     at->add("notAKeyword", 1);
-    const std::string text = complaint([&] { readGrainProperties(dict); });
+    const std::string text = complaint([&] { read(dict); });
     EXPECT_TRUE(holds(text, {"notAKeyword", "is not a keyword here"})) << path;
     return allowedWords(text);
 }
@@ -70,7 +88,7 @@ Words keywordsAt(const std::string& path)
 
 TEST(ExampleFile, isReadWithoutComplaint)
 {
-    EXPECT_EQ(complaint([] { readGrainProperties(exampleDict()); }), "");
+    EXPECT_EQ(complaint([] { read(exampleDict()); }), "");
 }
 
 TEST(ExampleFile, showsEveryKeyword)
@@ -78,7 +96,7 @@ TEST(ExampleFile, showsEveryKeyword)
     const dictionary example = exampleDict();
     const std::vector<std::string> paths =
     {
-        "", "materials/glass", "contacts/default", "contacts/glass-steel", "planes/lid", "forces", "forces/drag",
+        "", "materials/glass", "contacts/default", "contacts/glass-steel", "forces", "forces/drag",
         "voidFraction", "timeStep", "solver", "parallel", "walls/shaker/motion"
     };
     for (const std::string& path : paths)
@@ -95,10 +113,12 @@ TEST(ExampleFile, showsEveryKeyword)
 TEST(ExampleFile, showsEveryKeywordOfSourcesAndPatchesInOneOfThem)
 {
     const dictionary example = exampleDict();
-    for (const char* list : {"grains", "patches", "walls"})
+    for (const char* list : {"grains", "patches", "walls", "planes"})
     {
         const wordList names = example.subDict(list).toc();
-        Words shown, known;
+        // `planes` are walls of type plane.
+        const bool isPlanes = list == std::string("planes");
+        Words shown = isPlanes ? Words{"sides", "motion", "torquePoint", "surfaceVelocity", "surfaceRotation"} : Words(), known;
         for (const word& name : names)
         {
             for (const word& keyword : example.subDict(list).subDict(name).toc()) shown.push_back(keyword);
@@ -114,7 +134,7 @@ TEST(ExampleFile, showsEveryKeywordOfSourcesAndPatchesInOneOfThem)
 
 TEST(ExampleFile, statesTheDefaults)
 {
-    const GrainProperties example = readGrainProperties(exampleDict());
+    const GrainProperties example = read(exampleDict());
     const GrainProperties first = firstCase();
     EXPECT_EQ(example.contact.solver, first.contact.solver);
     EXPECT_EQ(example.contact.tolerance, first.contact.tolerance);
@@ -130,8 +150,7 @@ TEST(ExampleFile, statesTheDefaults)
     EXPECT_EQ(example.voidFraction.minFluidFraction, first.voidFraction.minFluidFraction);
     EXPECT_EQ(example.forces.dragLaw, first.forces.dragLaw);
     EXPECT_EQ(example.forces.dragWeight, first.forces.dragWeight);
-    EXPECT_EQ(example.forces.pressureGradient, first.forces.pressureGradient);
-    EXPECT_EQ(example.forces.viscous, first.forces.viscous);
+    for (const auto& [force, given] : example.forces.switches) EXPECT_EQ(given.isOn, first.forces.isOn(force)) << force;
     EXPECT_EQ(example.time.maxGrainDisplacement, first.time.maxGrainDisplacement);
     EXPECT_EQ(example.time.subCycles, first.time.subCycles);
     EXPECT_EQ(example.maxInitialOverlap, first.maxInitialOverlap);
@@ -140,14 +159,14 @@ TEST(ExampleFile, statesTheDefaults)
     EXPECT_EQ(example.maxLoadImbalance, first.maxLoadImbalance);
     EXPECT_EQ(example.materials.table.pair(0, 0).restitution, first.materials.table.pair(0, 0).restitution);
 
-    const GrainSource& bed = example.sources.at(0);
+    const input::GrainSource& bed = example.sources.at(0);
     EXPECT_EQ(bed.velocity, first.sources.at(0).velocity);
     EXPECT_EQ(bed.omega, first.sources.at(0).omega);
     EXPECT_EQ(bed.isFixed, first.sources.at(0).isFixed);
-    const LatticeSettings& lattice = example.sources.at(2).lattice;
-    EXPECT_EQ(lattice.spread, LatticeSettings().spread);
-    EXPECT_EQ(lattice.jitter, LatticeSettings().jitter);
-    EXPECT_EQ(lattice.seed, LatticeSettings().seed);
+    const nscd::GrainLattice& lattice = example.sources.at(2).lattice;
+    EXPECT_EQ(lattice.spread, nscd::GrainLattice().spread);
+    EXPECT_EQ(lattice.jitter, nscd::GrainLattice().jitter);
+    EXPECT_EQ(lattice.seed, nscd::GrainLattice().seed);
 }
 
 TEST(ExampleFile, theFirstCaseAtItsHeadIsEnough)

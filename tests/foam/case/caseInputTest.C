@@ -4,10 +4,12 @@
 // Tests of grainProperties as text: what a short one means, and what is said about bad ones.
 #include "caseTools.H"
 
-#include "coupling/case/input/dictionaryCheck.H"
+#include "coupling/case/input/foamDictionary.H"
 #include "coupling/case/input/grainProperties.H"
+#include "coupling/case/walls/patchRoles.H"
 
-#include "dimensionSets.H"
+#include "input/dictionary/checkedEntries.hpp"
+#include "input/dictionary/withoutTraps.hpp"
 
 using namespace Foam;
 using namespace Foam::nscdCoupling;
@@ -41,11 +43,12 @@ TEST(GrainProperties, aShortFileGetsDefaults)
     EXPECT_EQ(p.materials.density[p.sources[0].material], 2500);
     EXPECT_EQ(p.materials.table.pair(0, 1).friction, 0.3);
     EXPECT_EQ(p.materials.table.pair(0, 1).restitution, 0);
-    EXPECT_EQ(p.sources[0].lattice.count, Vector<label>(2, 3, 4));
+    EXPECT_EQ(p.sources[0].lattice.count, (std::array<int, 3>{2, 3, 4}));
     EXPECT_EQ(p.contact.solver, nscd::ContactSettings().solver);
     EXPECT_EQ(p.contact.tolerance, nscd::ContactSettings().tolerance);
     EXPECT_EQ(p.voidFraction.method, "exact");
-    EXPECT_TRUE(p.solvesFluid && p.hasFeedback && p.forces.pressureGradient && p.forces.viscous);
+    EXPECT_TRUE(p.solvesFluid && p.hasFeedback && p.forces.isOn("drag"));
+    for (const char* force : {"pressureGradient", "viscous", "spinDrag"}) EXPECT_TRUE(p.forces.isOn(force)) << force;
     EXPECT_FALSE(p.holdsMeanFlow);
 }
 
@@ -67,17 +70,18 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_EQ(p.materials.table.pair(1, 0).friction, 0.2);
     EXPECT_EQ(p.materials.table.pair(0, 1).restitution, 0.9);
     EXPECT_EQ(p.materials.table.pair(0, 0).restitution, 0.1);
-    EXPECT_EQ(p.sources[0].velocity, vector(1, 2, 3));
+    EXPECT_EQ(p.sources[0].velocity, nscd::Vec3(1, 2, 3));
     EXPECT_TRUE(p.sources[0].isFixed);
     EXPECT_FALSE(p.sources[1].isFixed);
-    EXPECT_EQ(p.sources[1].omega, vector(0, 0, 4));
+    EXPECT_EQ(p.sources[1].omega, nscd::Vec3(0, 0, 4));
     EXPECT_EQ(p.sources[1].diameter, 2e-3);
     EXPECT_EQ(p.maxInitialOverlap, 0.5);
     EXPECT_EQ(p.wallMaterial, 1);
     ASSERT_EQ(p.patchRules.size(), 1u);
     EXPECT_TRUE(p.patchRules[0].isExit);
-    EXPECT_EQ(p.planes.at(0).normal, vector(0, 0, 2));
-    EXPECT_EQ(p.planes.at(0).material, 0);
+    EXPECT_EQ(p.walls.regions.at(0).normal, nscd::Vec3(0, 0, 1));
+    EXPECT_EQ(p.walls.patches.at(0).name, "floor");
+    EXPECT_EQ(p.walls.patches.at(0).material, 0);
     EXPECT_EQ(p.contact.solver, "queue");
     EXPECT_EQ(p.contact.tolerance, 1e-3);
     EXPECT_EQ(p.contact.displacementTolerance, 2e-3);
@@ -92,7 +96,10 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("minFluidFraction"), 0.3);
     EXPECT_EQ(p.forces.dragLaw, "DiFelice");
     EXPECT_EQ(p.forces.dragWeight, "backwardEuler");
-    EXPECT_FALSE(p.forces.pressureGradient || p.forces.viscous || p.solvesFluid || p.hasFeedback);
+    EXPECT_FALSE(p.forces.isOn("pressureGradient") || p.forces.isOn("viscous") || p.solvesFluid || p.hasFeedback);
+    EXPECT_TRUE(p.forces.isOn("spinDrag"));
+    EXPECT_EQ(p.forces.switches.at("viscous").place.keyword, "forces.viscous");
+    EXPECT_FALSE(read(first + "forces { drag { law none; } }").forces.isOn("drag"));
     EXPECT_EQ(p.meanFlowDict().get<vector>("target"), vector(0, 0, 0.5));
     EXPECT_EQ(p.time.maxGrainDisplacement, 0.2);
     EXPECT_EQ(p.time.subCycles, 3);
@@ -121,13 +128,93 @@ TEST(GrainProperties, optionalLawsAndDrivenGrains)
 
 TEST(GrainProperties, dimensionsMayBeGivenAndAreConverted)
 {
-    const dictionary dict = dictionaryOf("a [1 -3 0 0 0 0 0] 7; b b [0 1 0 0 0 0 0] 2; c 3; d [0 1 -1 0 0 0 0] (1 2 3);");
-    const CheckedDict given(dict);
-    EXPECT_EQ(given.number("a", above(0), dimDensity), 7);
-    EXPECT_EQ(given.number("b", above(0), dimLength), 2);
-    EXPECT_EQ(given.number("c", above(0), dimLength), 3);
-    EXPECT_EQ(given.vec("d", dimVelocity), vector(1, 2, 3));
+    const dictionary dict = dictionaryOf
+    (
+        "a [1 -3 0 0 0 0 0] 7; b b [0 1 0 0 0 0 0] 2; c 3; d [0 1 -1 0 0 0 0] (1 2 3); e [kg m^-3] 7; f [mm] 5; g [km s^-1] (1 2 3); h [N] 4;"
+    );
+    const input::Dictionary entries = fromFoam(dict);
+    const input::CheckedEntries given(entries);
+    EXPECT_EQ(given.number("a", input::above(0, input::unit::density)), 7);
+    EXPECT_EQ(given.number("b", input::above(0, input::unit::length)), 2);
+    EXPECT_EQ(given.number("c", input::above(0, input::unit::length)), 3);
+    EXPECT_EQ(given.vec("d", input::unit::velocity), nscd::Vec3(1, 2, 3));
+    EXPECT_EQ(given.number("e", input::above(0, input::unit::density)), 7);
+    EXPECT_EQ(given.number("f", input::above(0, input::unit::length)), 5*1e-3);
+    EXPECT_EQ(given.vec("g", input::unit::velocity), nscd::Vec3(1000, 2000, 3000));
+    EXPECT_EQ(given.number("h", input::above(0, input::unit::force)), 4);
     EXPECT_NO_THROW(given.finish());
+}
+
+TEST(GrainProperties, macrosListsAndPatternsArrive)
+{
+    const dictionary dict = dictionaryOf("size 2; a $size; b { c $..size; } ids List<label> 3(4 5 6); \"out.*\" { d 3; } f { $b; }");
+    const input::Dictionary entries = fromFoam(dict);
+    const input::CheckedEntries given(entries);
+    EXPECT_EQ(given.number("a", input::anyNumber()), 2);
+    EXPECT_EQ(input::CheckedEntries(given.sub("b")).number("c", input::anyNumber()), 2);
+    EXPECT_EQ(input::CheckedEntries(given.sub("f")).number("c", input::anyNumber()), 2);
+    EXPECT_EQ(given.integers("ids", 0), (std::vector<long>{4, 5, 6}));
+    EXPECT_TRUE(entries.find("out.*")->isQuoted);
+    EXPECT_FALSE(entries.find("b")->isQuoted);
+    EXPECT_EQ(given.place("out.*").keyword, "out.*");
+}
+
+/// Kinds of functions that the readers do not know are OpenFOAM's own.
+TEST(GrainProperties, functionsOfTimeAreOpenFOAMs)
+{
+    const auto speedAt = [](const std::string& function, double time)
+    {
+        return read(first + "driven { a { ids (0); velocity " + function + " } }").driven.at(0).grains.velocity(time);
+    };
+    EXPECT_EQ(speedAt("polynomial (((1 0 0) (2 0 0)));", 3), nscd::Vec3(9, 0, 0));
+    EXPECT_NEAR(speedAt("sine; velocityCoeffs { frequency table ((0 1)); amplitude 2; scale (1 0 0); level (0 3 0); }", 0.25).x(), 2, 1e-15);
+    EXPECT_NEAR(speedAt("{ type sine; frequency table ((0 1)); amplitude 2; scale (1 0 0); level (0 3 0); }", 0.25).x(), 2, 1e-15);
+    EXPECT_TRUE(holds(complaintAbout(first + "driven { a { ids (0); velocity polynomial (((1 0 0) (2 0 0))) 7; } }"),
+        {"keyword driven.a.velocity goes on after its function of time", "value:   7"}));
+    EXPECT_TRUE(holds(complaintAbout(first + "driven { a { ids (0); velocity polynomal (((1 0 0) (2 0 0))); } }"),
+        {"keyword driven.a.velocity is no function of time", "nearest: polynomial"}));
+}
+
+/// OpenFOAM's programs stop at an overflow, as of a number in their text.
+TEST(GrainProperties, anOverflowIsToldInWords)
+{
+    BoxMesh box;
+    const auto about = [&](const std::string& text, const std::string& included = "")
+    {
+        box.writeFile("constant/included", included);
+        box.writeFile("constant/grainProperties", text);
+        const input::WithoutTraps restoresThem;
+        feenableexcept(FE_OVERFLOW | FE_INVALID | FE_DIVBYZERO);
+        const std::string said = complaint([&] { readGrainProperties(box.time(), surroundingsIn(box.mesh())); });
+        EXPECT_NE(fegetexcept() & FE_OVERFLOW, 0);
+        return said;
+    };
+    EXPECT_EQ(about(first), "");
+    EXPECT_TRUE(holds(about("maxInitialOverlap 1e999;" + first), {"keyword maxInitialOverlap is not a finite number", "value:   1e999"}));
+    EXPECT_TRUE(holds(about("maxInitialOverlap 1e300;" + first), {"keyword maxInitialOverlap is too large"}));
+    EXPECT_TRUE(holds(about("#include \"included\"\n" + first, "maxInitialOverlap 1e999;"), {"maxInitialOverlap"}));
+}
+
+/// What is included may be said otherwise; what a file itself says twice is a mistake.
+TEST(GrainProperties, keywordsMayReplaceThoseIncluded)
+{
+    BoxMesh box;
+    box.writeFile("constant/included", "maxInitialOverlap 0.1; solver { tolerance 1e-3; skin 0.1; }");
+    box.writeFile("constant/grainProperties", "#include \"included\"\nmaxInitialOverlap 0.2; solver { tolerance 1e-4; }" + first);
+    const GrainProperties p = readGrainProperties(box.time(), surroundingsIn(box.mesh()));
+    EXPECT_EQ(p.maxInitialOverlap, 0.2);
+    EXPECT_EQ(p.contact.tolerance, 1e-4);
+    EXPECT_EQ(p.contact.skin, 0.1);
+    box.writeFile("constant/grainProperties", "maxInitialOverlap 0.2; maxInitialOverlap 0.3;" + first);
+    EXPECT_TRUE(holds(complaint([&] { readGrainProperties(box.time(), surroundingsIn(box.mesh())); }), {"keyword maxInitialOverlap is given twice"}));
+}
+
+TEST(GrainProperties, sleepIsForRunsWithoutAFluid)
+{
+    EXPECT_FALSE(read(first).contact.sleep);
+    EXPECT_FALSE(read(first + "fluid none;").contact.sleep);
+    EXPECT_TRUE(read(first + "fluid none; solver { sleep on; }").contact.sleep);
+    EXPECT_TRUE(holds(complaintAbout(first + "solver { sleep on; }"), {"solver.sleep", "without a fluid"}));
 }
 
 TEST(GrainProperties, latticeSpacingFillsTheBox)
@@ -136,7 +223,7 @@ TEST(GrainProperties, latticeSpacingFillsTheBox)
     (
         glass + contacts + "grains { type lattice; box (0 0 0) (0.3 0.1 0.25); spacing 0.1; diameter 0.01; }"
     );
-    EXPECT_EQ(p.sources.at(0).lattice.count, Vector<label>(3, 1, 2));
+    EXPECT_EQ(p.sources.at(0).lattice.count, (std::array<int, 3>{3, 1, 2}));
 }
 
 TEST(BadGrainProperties, aMisspeltKeywordIsFoundInEverySubDictionary)
@@ -158,6 +245,7 @@ TEST(BadGrainProperties, aMisspeltKeywordIsFoundInEverySubDictionary)
         {first + "solver { ", "maxSweep", "maxSweeps", " 3; }"},
         {first + "voidFraction { ", "difusion", "diffusion", " 3; }"},
         {first + "forces { ", "viscuous", "viscous", " on; }"},
+        {first + "forces { ", "safmanLift", "saffmanLift", " on; }"},
         {first + "forces { drag { ", "lav", "law", " Ergun; } }"},
         {first + "timeStep { ", "subCycle", "subCycles", " 3; }"},
         {first, "feedbck", "feedback", " on;"}
@@ -184,83 +272,27 @@ struct Bad
     std::vector<std::string> pieces;
 };
 
-const std::string start = glass + contacts;
-const std::string pair = "contacts { default { friction 0.3; restitution ";
-
+/// What nscdGrains refuses too is in sharedInputTest.C.
 const std::vector<Bad> bad =
 {
     {first + "feedbak off;", {"feedbak", "nearest: feedback", "line 4"}},
-    {first + "solver { tolerence 1; }", {"solver.tolerence", "nearest: tolerance", "maxSweeps", "line 4"}},
-    {contacts + lattice, {"materials", "is missing"}},
     {"materials {}" + contacts + lattice, {"materials", "names no material"}},
-    {"materials { glass { density 2500; } steel { density two; } }" + contacts + lattice, {"steel.density", "value:   two", "number"}},
-    {"materials { glass { density 0; } }" + contacts + lattice, {"density", "> 0"}},
-    {glass + lattice, {"contacts", "is missing"}},
-    {start, {"grains", "is missing"}},
-    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); }", {"grains.diameter", "is missing", "line 3"}},
-    {"materials { glass { density [0 1 0 0 0 0 0] 2500; } }" + contacts + lattice,
-        {"materials.glass.density", "wrong dimensions", "[1 -3 0 0 0 0 0]"}},
-    {"materials { glass { density -2500; } }" + contacts + lattice, {"density", "value:   -2500", "> 0", "line 1"}},
-    {"materials { glass { density nan; } }" + contacts + lattice, {"density", "value:   nan", "finite", "line 1"}},
-    {"materials { glass { density 1 2; } }" + contacts + lattice, {"density", "value:   1 2", "single number"}},
-    {"materials { glass { density; } }" + contacts + lattice, {"density", "has no value"}},
-    {"materials { glass 2500; }" + contacts + lattice, {"glass", "is not a sub-dictionary"}},
-    {glass + pair + "1.5; } }" + lattice, {"contacts.default.restitution", "value:   1.5", ">= 0 and <= 1"}},
-    {glass + pair + "-0.1; } }" + lattice, {"restitution", "value:   -0.1"}},
-    {glass + "contacts { default { friction -0.3; } }" + lattice, {"friction", "value:   -0.3", ">= 0"}},
-    {glass + "contacts { default { friction nan; } }" + lattice, {"friction", "value:   nan", "finite"}},
-    {glass + "contacts { default { restitution 0; } }" + lattice, {"contacts.default.friction", "is missing"}},
-    {glass + "contacts { glass-stel { friction 1; } }" + lattice, {"glass-stel", "nearest: glass-steel", "default"}},
-    {glass + "contacts { glass-steel { friction 1; } steel-glass { friction 1; } }" + lattice, {"steel-glass", "repeats"}},
-    {glass + "contacts { default { friction 1; rollingFriction -0.1; } }" + lattice, {"contacts.default.rollingFriction", ">= 0"}},
-    {glass + "contacts { default { friction 1; rolingFriction 0.1; } }" + lattice, {"nearest: rollingFriction"}},
-    {glass + "contacts { default { friction 1; cohesion -1; } }" + lattice, {"contacts.default.cohesion", ">= 0"}},
-    {glass + "contacts { default { friction 1; cohesion [0 1 0 0 0 0 0] 1; } }" + lattice, {"contacts.default.cohesion", "dimensions"}},
-    {glass + "contacts { default { friction 1; rollingFriction 0.1; } }" + lattice + "solver { type queue; }",
-        {"solver.type", "rolling", "NLGS"}},
-    {first + "driven { a { velocity (0 0 1); } }", {"driven.a", "ids", "is missing"}},
-    {first + "driven { a { ids (1 1); velocity (0 0 1); } }", {"driven.a", "ids", "twice"}},
-    {first + "driven { a { ids (1); } }", {"driven.a", "velocity", "is missing"}},
-    {first + "driven { a { ids (1); velocty (0 0 1); } }", {"driven.a"}},
-    {first + "driven { a { ids (1); velocity (0 0 1); omga (0 0 1); } }", {"nearest: omega"}},
-    {first + "driven { a { ids (1); velocity (0 0 1); } b { ids (1); velocity (0 0 1); } }", {"driven.b", "another group"}},
-    {start + "grains { type latice; }", {"grains.type", "value:   latice", "nearest: lattice", "positionsFile"}},
-    {start + "grains { a { type table; file x; material glas; } }", {"grains.a.material", "nearest: glass"}},
-    {start + "grains { a { type table; file x; material steel; } }", {"materials.steel", "no density"}},
-    {start + "grains { type table; }", {"grains.file", "is missing"}},
-    {start + "grains { type positionsFile; file x; }", {"grains.diameter", "is missing"}},
-    {start + "grains { type positionsFile; file x; diameter -1e-3; }", {"grains.diameter", "value:   -0.001", "> 0"}},
-    {start + "grains { type positionsFile; file x; diameter nan; }", {"grains.diameter", "value:   nan", "finite"}},
-    {start + "grains { type positionsFile; file x; diameter [0 0 1 0 0 0 0] 1; }", {"grains.diameter", "dimensions", "[0 1 0 0 0 0 0]"}},
-    {start + "grains { type positionsFile; file 3; diameter 1; }", {"grains.file", "word or a quoted string"}},
-    {start + "grains { type table; file x; velocity 3; }", {"grains.velocity", "value:   3", "not a vector"}},
-    {start + "grains { file x; }", {"grains.file", "sub-dictionary"}},
-    {start + "grains { type lattice; box (0 0 0) (1 1 1); diameter 1; }", {"grains", "spacing", "is missing"}},
-    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); spacing 1; diameter 1; }", {"spacing", "beside count"}},
-    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (a b c); diameter 1; }", {"count", "number"}},
-    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); diameter 1; spread 1.2; }", {"spread", "< 1"}},
-    {first + "maxInitialOverlap -1;", {"maxInitialOverlap", ">= 0"}},
-    {first + "motion fixd;", {"motion", "nearest: fixed"}},
     {first + "shape disk;", {"shape", "nearest: disc"}},
-    {first + "wallMaterial stel;", {"wallMaterial", "nearest: steel"}},
     {first + "voidFraction { minFluidFraction 1; }", {"minFluidFraction", "< 1"}},
-    {start + "grains { type lattice; box (0 0 0) (1 0 1); count (1 1 1); diameter 1; }", {"grains.box", "is empty"}},
-    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1.5 1); diameter 1; }", {"count", "whole"}},
-    {start + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); diameter -1; }", {"diameter", "> 0"}},
-    {start + "grains { type lattice; box (0 0 0) (1 1); count (1 1 1); diameter 1; }", {"box", "vectors"}},
     {first + "forces { drag { law Gidaspov; } }", {"forces.drag.law", "value:   Gidaspov", "nearest: Gidaspow", "Ergun"}},
     {first + "voidFraction { method exakt; }", {"voidFraction.method", "nearest: exact", "centroid"}},
-    {first + "solver { type NGLS; }", {"solver.type", "nearest: NLGS", "queue"}},
-    {first + "solver { maxSweeps 2.5; }", {"maxSweeps", "whole number"}},
-    {first + "solver { skin -1; }", {"solver.skin", ">= 0"}},
     {first + "fluid non;", {"fluid", "nearest: none", "solved"}},
     {first + "feedback of;", {"feedback", "nearest: off"}},
     {first + "meanFlow (0 0);", {"meanFlow", "not a vector"}},
     {first + "meanFlow (0 0 nan);", {"meanFlow", "finite"}},
-    {first + "planes { p { point (0 0 0); normal (0 0 0); material glass; } }", {"planes.p.normal", "no length"}},
+    {first + "meanFlow [0 1 0 0 0 0 0] (0 0 1);", {"meanFlow", "wrong dimensions", "[0 1 -1 0 0 0 0]"}},
     {first + "patches { outlet { type exite; } }", {"patches.outlet.type", "nearest: exit", "wall"}},
     {first + "patches { outlet { type wall; material steele; } }", {"patches.outlet.material", "nearest: steel"}},
-    {first + "timeStep { subCycles 0; }", {"timeStep.subCycles", ">= 1"}}
+    {first + "patches { \"out.*\" { type wall; material glass; surfaceVelocity 1; } }", {"patches.out.*.surfaceVelocity", "single value"}},
+    {first + "timeStep { subCycles 0; }", {"timeStep.subCycles", ">= 1"}},
+    {first + "parallel { maxLoadImbalance 1; }", {"parallel.maxLoadImbalance", "> 1"}},
+    {glass + contacts + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); diameter 1; clump { members ((0 0 0)); diameter 1; } }",
+        {"grains.clump", "is for nscdGrains alone"}}
 };
 
 } // namespace

@@ -23,7 +23,7 @@ TEST(MeshWalls, wallsPeriodsAndShapeComeFromThePatchTypes)
     const nscd::PeriodicBox period = periodicBox(box.mesh());
     EXPECT_TRUE(period.isPeriodic(0) && !period.isPeriodic(1) && !period.isPeriodic(2));
     EXPECT_NEAR(period.length[0], 2, 1e-14);
-    const nscd::GrainShape shape = grainShape(GrainProperties(), box.mesh());
+    const nscd::GrainShape shape = grainShape(box.mesh());
     EXPECT_EQ(shape.dimensions, 2);
     EXPECT_NEAR(shape.thickness, 0.1, 1e-15);
     EXPECT_EQ(emptyAxis(box.mesh()), 2);
@@ -89,5 +89,5 @@ TEST(BadPatches, discsOnA3DMeshAreRefused)
     BoxMesh box;
     GrainProperties properties;
     properties.shape = "disc";
-    EXPECT_TRUE(holds(complaint([&] { grainShape(properties, box.mesh()); }), {"2D", "value:   disc", "allowed: sphere"}));
+    EXPECT_TRUE(holds(complaint([&] { checkShape(properties, box.mesh()); }), {"2D", "value:   disc", "allowed: sphere"}));
 }

@@ -4,7 +4,6 @@
 // Tests of the first grains of a case: where they are put, and what is refused.
 #include "caseTools.H"
 
-#include "coupling/case/input/materialsReader.H"
 #include "coupling/case/start/grainScene.H"
 #include "coupling/case/start/initialChecks.H"
 
@@ -34,7 +33,7 @@ struct Case
     nscd::Grains grains(const std::string& text, const vector& g = vector(0, 0, -9.81))
     {
         box.writeFile("constant/grainProperties", text);
-        const GrainProperties properties = readGrainProperties(box.time());
+        const GrainProperties properties = readGrainProperties(box.time(), surroundingsIn(box.mesh()));
         const GrainScene scene = makeGrainScene(properties, box.mesh(), g);
         return makeFirstGrains(properties, scene, box.mesh());
     }
@@ -154,25 +153,25 @@ TEST(FirstGrains, thereMayBeNone)
     EXPECT_EQ(c.grains(start + "grains {}").size(), 0u);
 }
 
-TEST(BadStart, filesThatAreMissingOrTruncatedOrWrong)
+/// Further wrong files are in sharedInputTest.C.
+TEST(BadStart, filesThatAreMissingOrEmpty)
 {
     Case c;
     c.writeRaw("bed.txt", "");
     EXPECT_TRUE(holds(c.complaintAbout(start + "grains { bed { type table; file \"bad.txt\"; } }"),
-        {"grains.bed", "does not exist", "nearest: bed.txt", "constant/grainProperties"}));
-    EXPECT_TRUE(holds(c.complaintAboutTable("# x y z d\n"), {"grains.bed", "holds no grain", "grains.txt", "constant/grainProperties"}));
-    EXPECT_TRUE(holds(c.complaintAboutPositions("()"), {"grains.bed", "holds no grain"}));
-    EXPECT_TRUE(holds(c.complaintAboutPositions("(\n(0.1 0.1 0.1)\n(0.2 0.2"), {"positions", "truncated after 1", "line 3"}));
-    EXPECT_TRUE(holds(c.complaintAboutPositions("(\n(0.1 0.1 0.1)\n"), {"positions", "truncated after 1"}));
-    EXPECT_TRUE(holds(c.complaintAboutPositions(""), {"positions", "truncated after 0"}));
-    EXPECT_TRUE(holds(c.complaintAboutPositions("3 ((0.1 0.1 0.1) (0.2 0.2 0.2))"), {"states 3", "holds 2"}));
-    EXPECT_TRUE(holds(c.complaintAboutPositions("((0.1 nan 0.1))"), {"finite number", "value:   nan", "line 1"}));
-    EXPECT_TRUE(holds(c.complaintAboutPositions("((0.1 0.1))"), {"finite number", "( (x y z)"}));
-    EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 0.01\n0.2 0.2 0.2"), {"grains.txt", "four finite numbers", "line 2", "x y z d"}));
-    EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 nan"), {"four finite numbers", "nan"}));
-    EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 -0.01"), {"diameter", "not positive", "line 1"}));
-    EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 0.01 glas"), {"material", "value:   glas", "nearest: glass", "line 1"}));
-    EXPECT_TRUE(holds(c.complaintAboutTable("0.1 0.1 0.1 0.01 glass 7"), {"five columns"}));
+        {"grains.bed.file", "does not exist", "nearest: bed.txt", "constant/grainProperties"}));
+    EXPECT_TRUE(holds(c.complaintAboutTable("# x y z d\n"), {"grains.bed.file", "holds no grain", "grains.txt", "constant/grainProperties"}));
+    EXPECT_TRUE(holds(c.complaintAboutPositions("()"), {"grains.bed.file", "holds no grain"}));
+    EXPECT_TRUE(holds(c.complaintAboutPositions("FoamFile { format ascii; }\n((0.1 0.1 0.1))\n((0.2 0.2 0.2))"), {"positions", "goes on after its list", "line 3"}));
+}
+
+TEST(FirstGrains, compressedPositionsAreRead)
+{
+    Case c;
+    mkDir(c.box.casePath()/"constant");
+    OFstream(c.box.casePath()/"constant/positions", IOstream::ASCII, IOstream::currentVersion, IOstream::COMPRESSED)() << "((0.1 0.2 0.3) (0.4 0.5 0.6))";
+    ASSERT_TRUE(isFile(c.box.casePath()/"constant/positions.gz", false));
+    EXPECT_EQ(c.grains(start + "grains { type positionsFile; file positions; diameter 0.01; }").size(), 2u);
 }
 
 TEST(BadStart, binaryFilesThatAreTruncatedOrHoldNoNumbers)
@@ -250,8 +249,8 @@ TEST(BadStart, motionOutOfThePlaneOfA2DCase)
     Case c(flatBox());
     const std::string lattice = "grains { bed { type lattice; box (0 0 0) (1 1 1); count (1 1 1); diameter 0.1; ";
     EXPECT_TRUE(holds(c.complaintAbout(start + lattice + "} }", vector(0, -9.81, 1)), {"constant/g", "empty direction", "(0 -9.81 1)"}));
-    EXPECT_TRUE(holds(c.complaintAbout(start + lattice + "velocity (0 0 1); } }", vector(0, -9.81, 0)), {"grains.bed", "out of the plane"}));
-    EXPECT_TRUE(holds(c.complaintAbout(start + lattice + "omega (1 0 0); } }", vector(0, -9.81, 0)), {"grains.bed", "out of the plane"}));
+    EXPECT_TRUE(holds(c.complaintAbout(start + lattice + "velocity (0 0 1); } }", vector(0, -9.81, 0)), {"grains.bed.velocity", "leaves the plane"}));
+    EXPECT_TRUE(holds(c.complaintAbout(start + lattice + "omega (1 0 0); } }", vector(0, -9.81, 0)), {"grains.bed.omega", "out of the plane"}));
     EXPECT_EQ(c.complaintAbout(start + lattice + "omega (0 0 1); } }", vector(0, -9.81, 0)), "");
     EXPECT_TRUE(holds(c.complaintAbout("shape sphere;" + start + lattice + "} }", vector(0, -9.81, 0)), {"shape", "2D", "disc"}));
 }

@@ -321,6 +321,13 @@ TEST(Program, aCoupledRunGoesOnFromAWrittenTimeAsIfNeverStopped)
     EXPECT_EQ(filesThatDiffer(restingGrains, "", files), std::vector<std::string>());
 }
 
+TEST(Program, aRunWithLiftGoesOnFromAWrittenTimeAsIfNeverStopped)
+{
+    std::vector<std::string> files = stateFiles;
+    for (const char* field : {"lagrangian/grains/fFluid", "U", "p_rgh"}) files.push_back(field);
+    EXPECT_EQ(filesThatDiffer(restingGrains + "forces { saffmanLift on; magnusLift on; }", "", files), std::vector<std::string>());
+}
+
 TEST(Program, aRunWithAdjustedStepsGoesOnFromAWrittenTimeAsIfNeverStopped)
 {
     const std::string control = "writePrecision 6; adjustTimeStep yes; maxCo 0.004;";

@@ -328,6 +328,27 @@ TEST(Ranks, moveGrainsInAFluidAsOneRankDoes)
     }
 }
 
+TEST(Ranks, liftGrainsAsOneRankDoes)
+{
+    const Files files{{"constant/grainProperties", wetHeap + closed + "grains { omega (40 -30 20); } forces { saffmanLift on; magnusLift on; }"}};
+    const std::string control = "writeFormat binary; endTime 0.012; writeInterval 12;";
+    const ProgramCase alone(files, control), without(Files{{"constant/grainProperties", wetHeap + closed + "grains { omega (40 -30 20); }"}}, control);
+    EXPECT_TRUE(succeeds(alone.run()));
+    EXPECT_TRUE(succeeds(without.run()));
+    // The lift moves the heap by ten times what ranks may differ by.
+    EXPECT_GT(difference(alone, without, "massCenterX", 8) + difference(alone, without, "massCenterY", 8), 1e-3*diameter);
+    for (const labelVector& parts : {labelVector(2, 1, 1), labelVector(1, 1, 3)})
+    {
+        const label ranks = cmptProduct(parts);
+        SCOPED_TRACE(ranks);
+        const ProgramCase together(files, control);
+        EXPECT_TRUE(succeeds(together.decompose(parts)));
+        EXPECT_TRUE(succeeds(together.runOn(ranks)));
+        expectSameMotion(alone, together, 8);
+        EXPECT_LT(largest(together.reported("0", "momentumError")), 1e-12);
+    }
+}
+
 TEST(Ranks, goOnWithAFluidAsIfNeverStopped)
 {
     const Files files{{"constant/grainProperties", wetHeap + closed}};

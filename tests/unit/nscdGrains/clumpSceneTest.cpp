@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Scenes with clumps: placed as written, run, gone on with to the bit; refused in words.
-#include "grainSources.hpp"
 #include "nscd/tools/sceneCheckpoint.hpp"
 #include "sceneFiles.hpp"
 #include "sceneRun.hpp"
@@ -24,13 +23,7 @@ std::string clumpScene(const std::string& clump = "members ((-0.003 0 0) (0.003 
     return changed(goodScene(), lattice, "count (3 3 4); diameter 0.018; clump { " + clump + "} ");
 }
 
-nscd::Grains placed(const std::string& text)
-{
-    const nscdGrains::SceneSettings scene = nscdGrains::parseScene(text, "folder/bad.scene");
-    const nscd::Grains grains = nscdGrains::placeGrains(scene);
-    nscdGrains::checkGrains(scene, grains);
-    return grains;
-}
+nscd::Grains placed(const std::string& text) { return sceneFiles::readAndPlace(text); }
 
 std::string failure(const std::string& text)
 {

@@ -2,11 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Functions of time, moving walls, belts, surfaces from files and driven grains: as read, and in runs.
-#include "functionReader.hpp"
 #include "nscd/tools/sceneCheckpoint.hpp"
 #include "sceneFiles.hpp"
 #include "sceneRun.hpp"
-#include "sceneSettings.hpp"
 
 #include <cmath>
 #include <functional>
@@ -19,18 +17,6 @@ using sceneFiles::goodScene;
 
 namespace
 {
-
-nscd::ScalarOfTime scalarOf(const std::string& value)
-{
-    const nscdGrains::Dictionary dict = nscdGrains::parseDictionary("f " + value, "scene");
-    return nscdGrains::readScalarFunction(nscdGrains::CheckedEntries(dict), "f");
-}
-
-nscd::VectorOfTime vectorOf(const std::string& value)
-{
-    const nscdGrains::Dictionary dict = nscdGrains::parseDictionary("f " + value, "scene");
-    return nscdGrains::readVectorFunction(nscdGrains::CheckedEntries(dict), "f", false);
-}
 
 /// The walls of the good scene and a lid, at a time.
 nscd::WallPatch lidAt(const std::string& more, double time)
@@ -83,23 +69,6 @@ std::string onFloor(const std::string& motion, const std::string& more = "")
 const double mass = 2500*M_PI/6*1e-6;
 
 } // namespace
-
-TEST(FunctionsOfTime, areThoseOfOpenFOAM)
-{
-    for (const char* value : {"2.5;", "constant 2.5;", "{ type constant; value 2.5; }", "table ((0 2.5));"}) EXPECT_EQ(scalarOf(value)(7), 2.5) << value;
-    for (const char* value : {"table ((0 1) (2 3) (3 -1));", "{ type table; values ((0 1) (2 3) (3 -1)); }"})
-    {
-        const nscd::ScalarOfTime f = scalarOf(value);
-        const double at[][2] = {{-1, 1}, {0, 1}, {0.5, 1.5}, {2, 3}, {2.25, 2}, {3, -1}, {9, -1}};
-        for (const auto& pair : at) EXPECT_NEAR(f(pair[0]), pair[1], 1e-15) << pair[0];
-    }
-    const nscd::ScalarOfTime sine = scalarOf("{ type sine; frequency 5; amplitude 2; scale 3; level -1; t0 0.01; }");
-    EXPECT_NEAR(sine(0.07), -1 + 6*std::sin(2*M_PI*5*0.06), 1e-14);
-    EXPECT_EQ(vectorOf("(1 2 3);")(4), Vec3(1, 2, 3));
-    EXPECT_EQ(vectorOf("table ((0 (0 0 0)) (2 (1 2 -4)));")(1), Vec3(0.5, 1, -2));
-    const nscd::VectorOfTime shaken = vectorOf("{ type sine; frequency 1; amplitude 2; scale (1 0 -1); level (0 3 0); }");
-    EXPECT_NEAR((shaken(0.25) - Vec3(2, 3, -2)).norm(), 0, 1e-14);
-}
 
 TEST(MovingWalls, areThoseOfNscdDEMFoam)
 {

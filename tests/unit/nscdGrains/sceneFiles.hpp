@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Scenes for the tests of nscdGrains: a text that runs, changes to it, and folders that go away.
+// Scenes for the tests of nscdGrains: a text that runs, and changes to it.
 #pragma once
 
-#include <gtest/gtest.h>
+#include "sceneSettings.hpp"
+#include "unit/input/folders.hpp"
 
-#include <unistd.h>
+#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
@@ -40,6 +41,15 @@ inline std::string changed(std::string text, const std::string& from, const std:
     return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
+/// All that is done with a scene before its first step.
+inline nscd::Grains readAndPlace(const std::string& text, const std::string& file = "folder/scene")
+{
+    const nscdGrains::SceneSettings scene = nscdGrains::parseScene(text, file);
+    const nscd::Grains grains = nscdGrains::placeGrains(scene);
+    nscdGrains::checkGrains(scene, grains);
+    return grains;
+}
+
 inline std::string bytesOf(const std::filesystem::path& path)
 {
     std::ifstream file(path, std::ios::binary);
@@ -47,25 +57,6 @@ inline std::string bytesOf(const std::filesystem::path& path)
     return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-/// A folder of its own for each test.
-class InFolder : public testing::Test
-{
-protected:
-    void SetUp() override
-    {
-        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-        folder = std::filesystem::temp_directory_path()/("nscdGrains." + name + std::to_string(::getpid()));
-        std::filesystem::create_directory(folder);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder); }
-
-    std::string write(const std::string& name, const std::string& text) const
-    {
-        std::ofstream(folder/name, std::ios::binary) << text;
-        return folder/name;
-    }
-
-    std::filesystem::path folder;
-};
+using folders::InFolder;
 
 } // namespace sceneFiles

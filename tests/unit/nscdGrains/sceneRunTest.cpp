@@ -4,7 +4,6 @@
 // Whole runs: stopped and continued to the bit, results that are not lost, files as they should be.
 #include "unit/fileSizeLimit.hpp"
 #include "nscd/tools/sceneCheckpoint.hpp"
-#include "sceneError.hpp"
 #include "sceneFiles.hpp"
 #include "sceneRun.hpp"
 
@@ -143,7 +142,7 @@ TEST_F(SceneRuns, doNotLoseResults)
     EXPECT_NE(failure("scene").find("-overwrite"), std::string::npos);
     // What is wrong with a scene is found before anything is removed.
     writeScene("scene", changed(goodScene(), "diameter 0.01", "diameter 0.05"));
-    EXPECT_THROW(run("scene", false, true), nscdGrains::SceneError);
+    EXPECT_THROW(run("scene", false, true), input::InputError);
     EXPECT_EQ(result("scene", "report.csv"), before);
 
     write("scene.out/notes.txt", "mine");
@@ -264,5 +263,5 @@ TEST(SceneOptions, areRead)
     EXPECT_EQ(nscdGrains::readOptions(2, given).scene, "my.scene");
     EXPECT_TRUE(nscdGrains::readOptions(2, given).goesOn);
     const char* const bad[][2] = {{"-restrat", "x"}, {"a", "b"}, {"-restart", "-overwrite"}};
-    for (const auto& options : bad) EXPECT_THROW(nscdGrains::readOptions(2, options), nscdGrains::SceneError);
+    for (const auto& options : bad) EXPECT_THROW(nscdGrains::readOptions(2, options), input::InputError);
 }

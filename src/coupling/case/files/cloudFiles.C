@@ -99,7 +99,7 @@ template<class Type>
 Field<Type> CloudReader::read(const word& field) const
 {
     if (isAbsent_) return Field<Type>();
-    const InputPlace place = placeInFile(file(field).objectPath(), field);
+    const Place place = placeInFile(file(field).objectPath(), field);
     string reason;
     Field<Type> values;
     try

@@ -119,7 +119,7 @@ std::vector<int> materialMap(const RunState& state, const nscd::Materials& prese
     return map;
 }
 
-int presentMaterial(label written, const std::vector<int>& map, const MaterialProperties& materials, const RunState& state)
+int presentMaterial(label written, const std::vector<int>& map, const input::MaterialTable& materials, const RunState& state)
 {
     if (written < 0 || written >= label(map.size()))
     {
@@ -142,7 +142,7 @@ void checkGrain(const polyMesh& mesh, label id, scalar diameter, const vector& p
 
 nscd::Grains readGrains
 (
-    const polyMesh& mesh, const RunState& state, const MaterialProperties& materials, const nscd::GrainShape& shape
+    const polyMesh& mesh, const RunState& state, const input::MaterialTable& materials, const nscd::GrainShape& shape
 )
 {
     const CloudReader cloud(mesh, "grains");
@@ -180,17 +180,30 @@ std::vector<nscd::Vec3> toVec3s(const vectorField& values)
     return result;
 }
 
+/// Names of fields to read: those needed, and of the optional ones those that were written. Collective.
+wordList withThoseFound(const CloudReader& cloud, wordList names, const wordList& optional)
+{
+    for (const word& name : optional)
+    {
+        if (cloud.found(name)) names.append(name);
+    }
+    return names;
+}
+
 GrainExtras readExtras(const polyMesh& mesh, const RestartExpectation& expected)
 {
     const CloudReader cloud(mesh, "grains");
     cloud.labels("origId");
     GrainExtras extras;
-    for (const word& name : expected.scalars)
+    for (const word& name : withThoseFound(cloud, expected.scalars, expected.optionalScalars))
     {
         const scalarField values = cloud.scalars(name);
         extras.scalars[name].assign(values.begin(), values.end());
     }
-    for (const word& name : expected.vectors) extras.vectors[name] = toVec3s(cloud.vectors(name));
+    for (const word& name : withThoseFound(cloud, expected.vectors, expected.optionalVectors))
+    {
+        extras.vectors[name] = toVec3s(cloud.vectors(name));
+    }
     return extras;
 }
 
@@ -289,7 +302,7 @@ void refuseContact(const polyMesh& mesh, const nscd::StoredImpulse& contact)
 
 GrainState readGrainState
 (
-    const polyMesh& mesh, const MaterialProperties& materials, const nscd::GrainShape& shape,
+    const polyMesh& mesh, const input::MaterialTable& materials, const nscd::GrainShape& shape,
     const RestartExpectation& expected
 )
 {

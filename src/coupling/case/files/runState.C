@@ -4,7 +4,9 @@
 // Writing and reading uniform/grainState.
 #include "coupling/case/files/runState.H"
 #include "coupling/case/files/writtenFiles.H"
-#include "coupling/case/input/dictionaryCheck.H"
+#include "coupling/case/input/foamDictionary.H"
+
+#include "input/dictionary/checkedEntries.hpp"
 
 #include "IOdictionary.H"
 #include "OSspecific.H"
@@ -106,20 +108,20 @@ RunState readRunState(const polyMesh& mesh)
     const IOobject file = stateFile(mesh, IOobject::MUST_READ);
     if (!hasRunState(mesh)) fail({placeInFile(file.objectPath(), "grainState"), "is missing or has no header"});
     const IOdictionary dict(file);
-    const CheckedDict given(dict);
+    const input::Dictionary entries = fromFoam(dict);
+    const input::CheckedEntries given(entries);
     RunState state;
     state.place = placeOf(dict);
-    state.nGrains = given.integer("grains", 0);
-    state.nContacts = given.integer("contacts", 0);
-    given.found("materials");
-    state.materials = dict.get<wordList>("materials");
-    const dictionary& numbers = given.sub("numbers");
-    const CheckedDict named(numbers);
-    for (const entry& number : numbers)
+    toldByFoam([&]
     {
-        state.numbers[number.keyword()] = named.number(number.keyword(), anyNumber());
-    }
-    given.finish();
+        state.nGrains = label(given.integer("grains", 0));
+        state.nContacts = label(given.integer("contacts", 0));
+        given.found("materials");
+        const input::CheckedEntries numbers(given.sub("numbers"));
+        for (const input::Entry& number : numbers.dict().entries) state.numbers[number.keyword] = numbers.number(number.keyword, input::anyNumber());
+        given.finish();
+    });
+    state.materials = dict.get<wordList>("materials");
     return state;
 }
 

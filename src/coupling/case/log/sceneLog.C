@@ -47,7 +47,7 @@ string describeWalls(const GrainScene& scene, const polyMesh& mesh)
 /// Walls beside the mesh hold grains back and no fluid.
 bool areWallsUnseen(const GrainProperties& properties)
 {
-    return properties.solvesFluid && (!properties.walls.empty() || !properties.planes.empty());
+    return properties.solvesFluid && !properties.walls.patches.empty();
 }
 
 string describeFluid(const GrainProperties& properties)

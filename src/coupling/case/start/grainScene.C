@@ -2,14 +2,18 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Setting the scene for the grains.
-#include "coupling/case/input/materialsReader.H"
 #include "coupling/case/start/grainScene.H"
+
+#include "coupling/case/input/foamDictionary.H"
+#include "coupling/case/input/foamPositions.H"
 #include "coupling/case/start/initialChecks.H"
 #include "coupling/case/walls/meshWalls.H"
 
-#include "Time.H"
+#include "input/scene/materialReader.hpp"
+#include "input/start/placement.hpp"
 
-#include <set>
+#include "Random.H"
+#include "Time.H"
 
 namespace Foam
 {
@@ -19,25 +23,33 @@ namespace nscdCoupling
 namespace
 {
 
-void checkPairsThatMeet
-(
-    const GrainProperties& properties, const nscd::Grains& grains, const nscd::Walls& walls, const nscd::Exchange& exchange
-)
+constexpr std::size_t grainsInBatch = 10000;
+
+nscd::RandomNumbers foamRandom(std::uint64_t seed)
 {
-    std::vector<double> isUsed(properties.materials.table.size(), 0.0);
+    return [random = Random(label(seed))]() mutable { return random.sample01<scalar>(); };
+}
+
+/// Adds grains behind others, all of them owned.
+void appendGrains(nscd::Grains& grains, const nscd::Grains& more)
+{
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    nscd::Grains::forEachMember([&](const char*, auto array) { append(grains.*array, more.*array); });
+    grains.nOwned = grains.size();
+}
+
+/// Materials of the grains of all ranks.
+std::vector<int> usedMaterials(const nscd::Grains& grains, int nMaterials, const nscd::Exchange& exchange)
+{
+    std::vector<double> isUsed(nMaterials, 0.0);
     for (int material : grains.material) isUsed[material] = 1.0;
-    exchange.max(isUsed.data(), static_cast<int>(isUsed.size()));
-    std::set<int> ofGrains, ofWalls;
-    for (std::size_t material = 0; material < isUsed.size(); ++material)
+    exchange.max(isUsed.data(), nMaterials);
+    std::vector<int> used;
+    for (int material = 0; material < nMaterials; ++material)
     {
-        if (isUsed[material] > 0.0) ofGrains.insert(static_cast<int>(material));
+        if (isUsed[material] > 0.0) used.push_back(material);
     }
-    for (const nscd::WallPatch& patch : walls.patches) ofWalls.insert(patch.material);
-    checkPairs
-    (
-        properties.materials,
-        std::vector<int>(ofGrains.begin(), ofGrains.end()), std::vector<int>(ofWalls.begin(), ofWalls.end())
-    );
+    return used;
 }
 
 } // namespace
@@ -45,10 +57,9 @@ void checkPairsThatMeet
 
 vector readGravity(const Time& time)
 {
-    const uniformDimensionedVectorField g
-    (
-        IOobject("g", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
-    );
+    const IOobject file("g", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    checkText(file);
+    const uniformDimensionedVectorField g(file);
     if (g.dimensions() != dimAcceleration)
     {
         fail
@@ -65,7 +76,8 @@ GrainScene makeGrainScene(const GrainProperties& properties, const polyMesh& mes
 {
     checkTimeControls(mesh.time());
     GrainScene scene;
-    scene.space = grainSpace(properties, mesh);
+    scene.space = grainSpace(mesh);
+    checkShape(properties, mesh);
     checkGravity(gravity, scene.space, mesh.time());
     scene.roles = assignPatchRoles(properties, mesh);
     scene.walls = makeMeshWalls(properties, scene.roles, mesh);
@@ -85,15 +97,17 @@ nscd::Grains makeFirstGrains
     HomeRanks homes(mesh);
     const auto keep = [&](nscd::Grains& batch)
     {
-        for (nscd::Vec3& x : batch.position) x = scene.box.wrap(x);
         homes.keepOwn(batch);
         appendGrains(grains, batch);
     };
-    placeGrains(properties, scene.space, mesh.time().globalPath()/mesh.time().constant(), keep);
+    const input::Surroundings around = surroundingsIn(mesh);
+    const input::PlacementTools tools = {scene.space.midPlane, foamRandom, readFoamPositions, grainsInBatch};
+    toldByFoam([&] { input::placeGrains(properties, around, tools, keep); });
     homes.checkNoneOutside();
-    checkPairsThatMeet(properties, grains, scene.walls, exchange);
+    const std::vector<int> used = usedMaterials(grains, properties.materials.table.size(), exchange);
+    toldByFoam([&] { input::checkPairs(properties.materials, used, scene.walls); });
     checkPeriods(scene.box, grains, mesh);
-    checkOverlaps(grains, scene.box, scene.walls, properties.maxInitialOverlap, properties.overlapPlace, exchange);
+    checkOverlaps(grains, scene, properties, exchange);
     return grains;
 }
 

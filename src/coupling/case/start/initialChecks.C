@@ -3,11 +3,12 @@
 //
 // Checks before the first step.
 #include "coupling/base/vectorConversion.H"
-#include "coupling/case/input/dictionaryCheck.H"
+#include "coupling/case/input/foamDictionary.H"
 #include "coupling/case/start/initialChecks.H"
 #include "coupling/case/walls/grainExits.H"
 
-#include "nscd/search/overlaps.hpp"
+#include "input/dictionary/checkedEntries.hpp"
+#include "input/start/startChecks.hpp"
 
 #include "PstreamReduceOps.H"
 #include "Time.H"
@@ -27,54 +28,19 @@ namespace
 
 using nscd::Overlap;
 
-/// An overlap in words, as "grains 3 and 7 overlap by 0.2".
-string describe(const Overlap& overlap, const nscd::Grains& grains, const nscd::Walls& walls)
+/// The worst few overlaps of each rank. Collective.
+std::vector<input::DescribedOverlap> gathered(const std::vector<input::DescribedOverlap>& here)
 {
-    const label id = label(grains.id[overlap.grain]);
-    const vector position = toFoam(grains.position[overlap.grain]);
-    if (overlap.partner >= 0)
-    {
-        const label other = label(grains.id[overlap.partner]);
-        if (overlap.isCoincident) return messageText("grains ", id, " and ", other, " have the same center ", position);
-        return messageText("grains ", id, " and ", other, " overlap by ", overlap.share, " at ", position);
-    }
-    const std::string& wall = walls.patches[walls.regions[-1 - overlap.partner].patch].name;
-    return messageText("grain ", id, " and the wall ", wall.c_str(), " overlap by ", overlap.share, " at ", position);
-}
-
-using DescribedOverlap = Tuple2<scalar, string>;
-
-bool isWorse(const DescribedOverlap& a, const DescribedOverlap& b) { return a.first() > b.first(); }
-
-/// The worst few of this rank's overlaps.
-List<DescribedOverlap> worstHere(std::vector<Overlap>& overlaps, const nscd::Grains& grains, const nscd::Walls& walls)
-{
-    const std::size_t count = std::min<std::size_t>(5, overlaps.size());
-    std::partial_sort
-    (
-        overlaps.begin(), overlaps.begin() + count, overlaps.end(),
-        [](const Overlap& a, const Overlap& b) { return a.share > b.share; }
-    );
-    List<DescribedOverlap> worst;
-    for (std::size_t k = 0; k < count; ++k) worst.append({overlaps[k].share, describe(overlaps[k], grains, walls)});
-    return worst;
-}
-
-/// The worst few overlaps of all ranks in words. Collective.
-string describeWorst(const List<DescribedOverlap>& here, label number)
-{
-    List<List<DescribedOverlap>> perRank(Pstream::nProcs());
-    perRank[Pstream::myProcNo()] = here;
+    List<List<Tuple2<scalar, string>>> perRank(Pstream::nProcs());
+    for (const input::DescribedOverlap& overlap : here) perRank[Pstream::myProcNo()].append({overlap.share, overlap.text});
     Pstream::gatherList(perRank);
     Pstream::scatterList(perRank);
-    std::vector<DescribedOverlap> worst;
-    for (const List<DescribedOverlap>& list : perRank) worst.insert(worst.end(), list.begin(), list.end());
-    std::stable_sort(worst.begin(), worst.end(), isWorse);
-
-    const std::size_t count = std::min<std::size_t>(5, worst.size());
-    string list;
-    for (std::size_t k = 0; k < count; ++k) list += (k ? "; " : "") + worst[k].second();
-    return number > label(count) ? list + "; ..." : list;
+    std::vector<input::DescribedOverlap> all;
+    for (const auto& list : perRank)
+    {
+        for (const auto& overlap : list) all.push_back({overlap.first(), overlap.second()});
+    }
+    return all;
 }
 
 /// Own grains, and behind them those of other ranks that may touch one.
@@ -107,18 +73,23 @@ void dropPairsOfOthers(std::vector<Overlap>& overlaps, std::size_t nOwned, const
 
 void checkTimeControls(const Time& time)
 {
-    const CheckedDict control(time.controlDict());
-    control.number("deltaT", above(0), dimTime);
-    if (control.found("writeInterval")) control.number("writeInterval", above(0), dimTime);
-    if (control.flag("adjustTimeStep", false))
+    const input::Dictionary entries = valuesFromFoam(time.controlDict());
+    const input::CheckedEntries control(entries);
+    const input::Range duration = input::above(0, input::unit::time);
+    toldByFoam([&]
     {
-        control.number("maxCo", above(0), dimless, 1);
-        control.number("maxDeltaT", above(0), dimTime, GREAT);
-    }
-    if (time.endTime().value() < time.value())
-    {
-        control.reject("endTime", "lies before the start time " + time.timeName(), "a later time");
-    }
+        control.number("deltaT", duration);
+        if (control.found("writeInterval")) control.number("writeInterval", duration);
+        if (control.flag("adjustTimeStep", false))
+        {
+            control.number("maxCo", input::above(0), 1);
+            control.number("maxDeltaT", duration, GREAT);
+        }
+        if (time.endTime().value() < time.value())
+        {
+            control.reject("endTime", "lies before the start time " + time.timeName(), "a later time");
+        }
+    });
 }
 
 
@@ -150,18 +121,8 @@ void checkMeanFlow(const GrainProperties& properties, const nscd::PeriodicBox& b
 
 void checkPeriods(const nscd::PeriodicBox& box, const nscd::Grains& grains, const polyMesh& mesh)
 {
-    double diameter = grains.size() ? 2*(*std::max_element(grains.radius.begin(), grains.radius.end())) : 0.0;
-    reduce(diameter, maxOp<scalar>());
-    for (int k = 0; k < 3; ++k)
-    {
-        if (!box.isPeriodic(k) || box.length[k] > diameter) continue;
-        fail
-        ({
-            placeInFile(mesh.boundaryMesh().objectPath(), "cyclic"), "makes a period shorter than a grain",
-            messageText(box.length[k], " along ", word(vector::componentNames[k])),
-            messageText("more than the largest diameter, ", diameter)
-        });
-    }
+    const double diameter = returnReduce(input::largestDiameter(grains), maxOp<scalar>());
+    toldByFoam([&] { input::checkPeriods(box, diameter, placeInFile(mesh.boundaryMesh().objectPath(), "cyclic")); });
 }
 
 
@@ -208,23 +169,19 @@ void HomeRanks::checkNoneOutside() const
 
 void checkOverlaps
 (
-    const nscd::Grains& grains, const nscd::PeriodicBox& box, const nscd::Walls& walls,
-    scalar maxOverlap, const InputPlace& place, nscd::Exchange& exchange
+    const nscd::Grains& grains, const GrainScene& scene, const GrainProperties& properties, nscd::Exchange& exchange
 )
 {
-    const std::vector<nscd::GhostGrain> ghosts = exchange.findGhosts(grains, std::vector<double>(grains.size(), 0.0), box);
+    const std::vector<nscd::GhostGrain> ghosts = exchange.findGhosts(grains, std::vector<double>(grains.size(), 0.0), scene.box);
     const nscd::Grains all = withGhosts(grains, ghosts);
-    std::vector<Overlap> overlaps = grainOverlaps(all, box, maxOverlap);
+    std::vector<Overlap> overlaps = grainOverlaps(all, scene.box, properties.maxInitialOverlap);
     dropPairsOfOthers(overlaps, grains.size(), ghosts, exchange.rank());
-    const std::vector<Overlap> withWalls = wallOverlaps(grains, walls, maxOverlap);
+    const std::vector<Overlap> withWalls = wallOverlaps(grains, scene.walls, properties.maxInitialOverlap);
     overlaps.insert(overlaps.end(), withWalls.begin(), withWalls.end());
     const label number = returnReduce(label(overlaps.size()), sumOp<label>());
     if (number == 0) return;
-    fail
-    ({
-        place, messageText("is exceeded by ", number, " pairs"), describeWorst(worstHere(overlaps, all, walls), number),
-        messageText("overlaps up to ", maxOverlap, " of the smaller diameter, distinct centers")
-    });
+    const std::vector<input::DescribedOverlap> worst = gathered(input::worstOverlaps(overlaps, all, scene.walls));
+    toldByFoam([&] { input::refuseOverlaps(std::size_t(number), worst, properties); });
 }
 
 } // namespace nscdCoupling

@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Asking for every field, scheme and solver once.
-#include "coupling/case/input/dictionaryCheck.H"
+#include "coupling/case/input/foamDictionary.H"
 #include "coupling/case/input/inputError.H"
 #include "coupling/case/start/numericsCheck.H"
+
+#include "input/dictionary/checkedEntries.hpp"
 
 #include "convectionScheme.H"
 #include "ddtScheme.H"
@@ -27,15 +29,15 @@ namespace
 {
 
 /// First line of a file that starts with a word; for field files, which may be binary behind that line.
-InputPlace placeOfLine(const fileName& file, const word& start)
+Place placeOfLine(const fileName& file, const word& start)
 {
-    InputPlace place = placeInFile(file, start);
+    Place place = placeInFile(file, start);
     IFstream is(file);
     string line;
     for (label lineNumber = 1; is.getLine(line).good(); ++lineNumber)
     {
         if (line.compare(0, start.size(), start) != 0) continue;
-        place.firstLine = place.lastLine = lineNumber;
+        place.line = lineNumber;
         break;
     }
     return place;
@@ -131,13 +133,16 @@ void checkFieldDimensions(const fvMesh& mesh)
 
 void checkTransportProperties(const Time& time)
 {
-    const IOdictionary dict
-    (
-        IOobject("transportProperties", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false)
-    );
-    const CheckedDict given(dict);
-    given.number("rho", above(0), dimDensity);
-    if (given.found("nu")) given.number("nu", above(0), dimViscosity);
+    const IOobject file("transportProperties", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    checkText(file);
+    const IOdictionary dict(file);
+    const input::Dictionary entries = valuesFromFoam(dict);
+    const input::CheckedEntries given(entries);
+    toldByFoam([&]
+    {
+        given.number("rho", input::above(0, input::unit::density));
+        if (given.found("nu")) given.number("nu", input::above(0, input::unit::viscosity));
+    });
 }
 
 

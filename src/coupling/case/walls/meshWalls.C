@@ -7,9 +7,9 @@
 #include "coupling/case/walls/gatheredPatch.H"
 #include "coupling/case/walls/meshWalls.H"
 
-#include "nscd/scene/stlFile.hpp"
-
 #include "Time.H"
+
+#include <algorithm>
 
 namespace Foam
 {
@@ -26,39 +26,24 @@ std::vector<nscd::WallRegion> regionsOf(const polyMesh& mesh, const polyPatch& p
     return coplanarRegions(primitivePatch(SubList<face>(whole.faces, whole.faces.size()), whole.points), wallPatch);
 }
 
-/// A file's name alone is one in constant/triSurface; other paths start at the case.
-fileName pathOf(const fileName& file, const Time& time)
+/// Adds the walls of grainProperties behind those of the mesh.
+void append(nscd::Walls& walls, const GrainProperties& properties)
 {
-    if (file.isAbsolute()) return file;
-    return file.find('/') == std::string::npos ? time.globalPath()/time.constant()/"triSurface"/file : time.globalPath()/file;
-}
-
-void addSurface(nscd::Walls& walls, int patch, const FreeWall& wall, const Time& time)
-{
-    try
+    const nscd::Walls& more = properties.walls;
+    const std::size_t nPatches = walls.patches.size();
+    for (std::size_t k = 0; k < more.patches.size(); ++k)
     {
-        const std::vector<nscd::Triangle> triangles = nscd::readStl(pathOf(wall.file, time), wall.scale);
-        const std::size_t leftOut = walls.addTriangles(patch, triangles, wall.sides);
-        if (leftOut > 0) Info<< "wall " << wall.name << ": " << label(leftOut) << " triangles without area are left out" << nl;
+        const auto hasItsName = [&](const nscd::WallPatch& patch) { return patch.name == more.patches[k].name; };
+        const bool isTaken = std::any_of(walls.patches.begin(), walls.patches.end(), hasItsName);
+        if (isTaken) fail({properties.wallPlaces[k], "is the name of another wall, a patch of the mesh"});
+        walls.patches.push_back(more.patches[k]);
     }
-    catch (const std::invalid_argument& error)
+    for (const nscd::WallRegion& region : more.regions)
     {
-        fail({wall.filePlace, "cannot be used: " + string(error.what()), wall.file, "an STL file, ASCII or binary"});
+        walls.regions.push_back(region);
+        walls.regions.back().patch += int(nPatches);
     }
-}
-
-void addFreeWall(nscd::Walls& walls, const FreeWall& wall, const Time& time)
-{
-    for (const nscd::WallPatch& patch : walls.patches)
-    {
-        if (patch.name == wall.name) fail({wall.place, "has the name of another wall", wall.name});
-    }
-    const int patch = walls.addPatch(wall.name, wall.material);
-    if (wall.isPlane) walls.addPlane(patch, toVec3(wall.point), toVec3(wall.normal), wall.sides);
-    else addSurface(walls, patch, wall, time);
-    walls.setMotion(patch, wall.motion);
-    walls.setSurfaceMotion(patch, wall.surfaceMotion);
-    walls.patches[patch].torquePoint = toVec3(wall.torquePoint);
+    for (const std::string& note : properties.notes) Info<< note.c_str() << nl;
 }
 
 } // namespace
@@ -77,11 +62,7 @@ nscd::Walls makeMeshWalls(const GrainProperties& properties, const PatchRoles& r
         walls.setSurfaceMotion(wallPatch, roles.surfaceMotion[patchi]);
         walls.patches[wallPatch].torquePoint = toVec3(roles.torquePoint[patchi]);
     }
-    for (const PlaneWall& plane : properties.planes)
-    {
-        walls.addPlane(walls.addPatch(plane.name, plane.material), toVec3(plane.point), toVec3(plane.normal));
-    }
-    for (const FreeWall& wall : properties.walls) addFreeWall(walls, wall, mesh.time());
+    append(walls, properties);
     nscd::moveWalls(walls, mesh.time().value());
     return walls;
 }

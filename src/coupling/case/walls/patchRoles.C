@@ -6,6 +6,7 @@
 #include "coupling/case/walls/patchRoles.H"
 
 #include "SubField.H"
+#include "Time.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
@@ -23,7 +24,7 @@ namespace nscdCoupling
 namespace
 {
 
-InputPlace boundaryPlace(const polyMesh& mesh, const polyPatch& patch)
+Place boundaryPlace(const polyMesh& mesh, const polyPatch& patch)
 {
     return placeInFile(mesh.boundaryMesh().objectPath(), patch.name());
 }
@@ -130,8 +131,8 @@ void checkComplete(const GrainProperties& properties, const polyMesh& mesh, cons
             fail
             ({
                 properties.patchesPlace, "gives no material to the wall " + patch.name(), string::null,
-                "wallMaterial ...; for all walls, or " + patch.name() + " { type wall; material ...; }",
-                properties.materials.table.names()
+                "wallMaterial ...; for all walls, or " + patch.name() + " { type wall; material ...; }: "
+              + input::joined(properties.materials.table.names())
             });
         }
     }
@@ -176,7 +177,7 @@ std::vector<CyclicFaces> cyclicFaces(const polyMesh& mesh)
 /// Axis along which a cyclic patch is shifted from its partner.
 int periodicAxis(const polyMesh& mesh, const cyclicPolyPatch& patch, const CyclicFaces& own, const CyclicFaces& partner)
 {
-    const InputPlace place = boundaryPlace(mesh, patch);
+    const Place place = boundaryPlace(mesh, patch);
     const string allowed = "a translation along x, y or z between two sides of the mesh";
     if (own.turned > 0 || partner.turned > 0) fail({place, "is a rotational cyclic patch", patch.type(), allowed});
 
@@ -251,20 +252,24 @@ int emptyAxis(const polyMesh& mesh)
 }
 
 
-nscd::GrainShape grainShape(const GrainProperties& properties, const polyMesh& mesh)
+nscd::GrainShape grainShape(const polyMesh& mesh)
 {
     const int axis = emptyAxis(mesh);
-    const std::string fitting = axis < 0 ? "sphere" : "disc";
-    if (!properties.shape.empty() && properties.shape != fitting)
-    {
-        const string why = axis < 0 ? "is for 2D meshes, and this mesh is 3D" : "is for 3D meshes, and this mesh is 2D";
-        fail({properties.shapePlace, why, properties.shape, fitting});
-    }
     nscd::GrainShape shape;
     shape.dimensions = axis < 0 ? 3 : 2;
     if (axis >= 0) shape.thickness = mesh.bounds().span()[axis];
     shape.emptyAxis = axis;
     return shape;
+}
+
+
+void checkShape(const GrainProperties& properties, const polyMesh& mesh)
+{
+    const bool is3D = emptyAxis(mesh) < 0;
+    const std::string fitting = is3D ? "sphere" : "disc";
+    if (properties.shape.empty() || properties.shape == fitting) return;
+    const std::string why = is3D ? "is for 2D meshes, and this mesh is 3D" : "is for 3D meshes, and this mesh is 2D";
+    fail({properties.shapePlace, why, properties.shape, fitting});
 }
 
 
@@ -281,6 +286,25 @@ nscd::PeriodicBox periodicBox(const polyMesh& mesh)
         box.length[axis] = mesh.bounds().span()[axis];
     }
     return box;
+}
+
+
+GrainSpace grainSpace(const polyMesh& mesh)
+{
+    GrainSpace space;
+    space.shape = grainShape(mesh);
+    space.emptyAxis = space.shape.emptyAxis;
+    if (space.emptyAxis >= 0) space.midPlane = mesh.bounds().centre()[space.emptyAxis];
+    return space;
+}
+
+
+input::Surroundings surroundingsIn(const polyMesh& mesh)
+{
+    input::Surroundings around = foamSurroundings(mesh.time().globalPath());
+    around.shape = grainShape(mesh);
+    around.box = periodicBox(mesh);
+    return around;
 }
 
 } // namespace nscdCoupling

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What OpenFOAM's own parser takes without a word, or stops at with a signal.
+#pragma once
+
+#include "input/dictionary/dictionary.hpp"
+
+namespace input
+{
+
+/// Looks through the text of a dictionary that OpenFOAM is going to read. What a file includes, and what stands beside conditional
+/// directives, is not looked at: a keyword may well be said there again.
+/// Errors: InputError for a keyword given twice in one dictionary (OpenFOAM takes the last one), for numbers that no computer holds (1e999), and
+///         for dictionaries nested too deep
+void checkOpenFoamText(const std::string& text, const std::string& file);
+
+} // namespace input

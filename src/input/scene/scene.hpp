@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What nscdGrains and nscdDEMFoam both read, as plain structs.
+#pragma once
+
+#include "input/dictionary/checkedEntries.hpp"
+
+#include "nscd/tools/drivenGrains.hpp"
+#include "nscd/tools/sceneParts.hpp"
+
+namespace input
+{
+
+/// Materials with what the grain library does not keep of them.
+struct MaterialTable
+{
+    nscd::Materials table;
+    std::vector<double> density;       ///< [kg/m3], 0 for a material that only walls may use
+    std::vector<Place> place;
+    Place contactsPlace;
+
+    /// Names of the materials that grains may be made of.
+    Words grainMaterials() const;
+};
+
+/// Clumps in the places of a source's grains.
+struct ClumpSource
+{
+    std::vector<nscd::Ball> members;   ///< empty: single grains
+    bool isRandom = true;              ///< orientation, or that of the members as given
+    std::uint64_t seed = 1;
+};
+
+/// Where some of the grains come from.
+struct GrainSource
+{
+    Place place;
+    std::string type;                  ///< lattice, positionsFile, table
+    nscd::GrainLattice lattice{};
+    std::string file;                  ///< as written
+    Place filePlace;
+    double diameter = 0.0;             ///< [m] of positionsFile
+    int material = 0;
+    Vec3 velocity = Vec3::Zero();      ///< [m/s]
+    Vec3 omega = Vec3::Zero();         ///< [rad/s]
+    bool isFixed = false;
+    ClumpSource clump;
+};
+
+/// Grains that move as told.
+struct DrivenGroup
+{
+    Place place;
+    nscd::DrivenGrains grains;
+};
+
+struct Scene
+{
+    MaterialTable materials;
+    int wallMaterial = -1;             ///< of walls that do not say; -1: each must
+    nscd::Walls walls;                 ///< of `planes` and `walls`, at the poses that they are given in
+    std::vector<Place> wallPlaces;     ///< of their patches
+    Words notes;                       ///< what the log should say of them
+    std::vector<GrainSource> sources;
+    std::vector<DrivenGroup> driven;
+    double maxInitialOverlap = 0.01;   ///< in diameters of the smaller grain
+    Place overlapPlace;
+    nscd::ContactSettings contact;
+};
+
+/// A path as written, as one that can be opened.
+using PathOf = std::function<std::string(const std::string&)>;
+
+/// What a program tells the readers: of the space that grains live in, and of what it can do.
+struct Surroundings
+{
+    nscd::GrainShape shape;            ///< in 2D with its emptyAxis
+    nscd::PeriodicBox box;
+    PathOf pathOfGrains = [](const std::string& path) { return path; };
+    PathOf pathOfSurface = [](const std::string& path) { return path; };
+    int nRanks = 1;
+    bool hasFluid = false;
+    bool sleepsByDefault = true;       ///< grains at rest, where `sleep` is not given
+    bool hasClumps = true;
+
+    bool isEmpty(int axis) const { return axis == shape.emptyAxis; }
+};
+
+} // namespace input

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Reading the sources of grains.
+#include "input/scene/sourceReader.hpp"
+
+#include "input/scene/clumpReader.hpp"
+#include "input/scene/functionReader.hpp"
+#include "input/scene/materialReader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace input
+{
+
+namespace
+{
+
+/// Of this machine [B], as Linux tells it; elsewhere without end.
+double memory()
+{
+    std::ifstream file("/proc/meminfo");
+    std::string name;
+    double kilobytes = 0.0;
+    return file >> name >> kilobytes ? 1024.0*kilobytes : std::numeric_limits<double>::infinity();
+}
+
+/// A run takes 1.6 kB a grain and more; its ranks may be on as many machines like this one.
+double mostGrains(int nRanks)
+{
+    return std::min(1e9, std::floor(nRanks*memory()/1000.0));
+}
+
+/// Grains along one axis, from `count` or as many as a spacing lets fit.
+double countAlong(const CheckedEntries& given, double number, bool isCounted)
+{
+    // A box that is a whole number of spacings long must not lose a layer to round-off.
+    const double whole = std::floor(number + (isCounted ? 0.0 : 1e-9));
+    if (isCounted && !(whole >= 1 && whole == number)) given.reject("count", "is not three whole numbers >= 1", "as (10 10 20)");
+    return std::max(1.0, whole);
+}
+
+/// Grains along each axis from `count (nx ny nz);`, or from `spacing`.
+std::array<int, 3> readCount(const CheckedEntries& given, const Vec3& extent, const Surroundings& around)
+{
+    const bool isCounted = given.found("count");
+    if (isCounted && given.found("spacing")) given.reject("spacing", "stands beside count", "one of the two");
+    if (!isCounted && !given.found("spacing")) given.require("count", "count (10 10 20); or spacing 2.5e-3;");
+    const Vec3 perAxis = isCounted ? given.vec("count", unit::one) : Vec3(extent/given.number("spacing", above(0, unit::length)));
+    Vec3 count;
+    for (int k = 0; k < 3; ++k) count[k] = around.isEmpty(k) ? 1.0 : countAlong(given, perAxis[k], isCounted);
+    const double most = mostGrains(around.nRanks);
+    if (!(count.prod() <= most))
+    {
+        given.reject(isCounted ? "count" : "spacing", "makes too many grains", textOf("at most ", most, " grains, for the memory of this machine"));
+    }
+    return {static_cast<int>(count[0]), static_cast<int>(count[1]), static_cast<int>(count[2])};
+}
+
+nscd::GrainLattice readLattice(const CheckedEntries& given, const Surroundings& around)
+{
+    nscd::GrainLattice lattice{};
+    const std::array<Vec3, 2> corners = given.twoVecs("box", unit::length);
+    lattice.lower = corners[0];
+    lattice.upper = corners[1];
+    for (int k = 0; k < 3; ++k)
+    {
+        if (around.isEmpty(k)) lattice.lower[k] = lattice.upper[k] = 0.0;
+        else if (!(corners[1][k] > corners[0][k])) given.reject("box", "is empty", "(lower corner) (upper corner)");
+    }
+    lattice.diameter = given.number("diameter", above(0, unit::length));
+    lattice.count = readCount(given, lattice.upper - lattice.lower, around);
+    lattice.spread = given.number("spread", Range{0, 1, true, false}, 0.0);
+    lattice.jitter = given.number("jitter", between(0, 1), 0.0);
+    lattice.seed = static_cast<std::uint64_t>(given.integer("seed", 0, 1));
+    return lattice;
+}
+
+GrainSource readSource(const Dictionary& dict, const MaterialTable& materials, const Surroundings& around, const char* usualMotion)
+{
+    const CheckedEntries given(dict);
+    GrainSource source;
+    source.place = dict.place;
+    source.type = given.choice("type", {"positionsFile", "table", "lattice"});
+    source.material = readMaterialOfGrains(given, materials);
+    source.velocity = given.vec("velocity", unit::velocity, Vec3::Zero());
+    source.omega = given.vec("omega", unit::rate, Vec3::Zero());
+    checkInPlane(given, "velocity", source.velocity, around.shape.emptyAxis);
+    checkNormalToPlane(given, "omega", source.omega, around.shape.emptyAxis);
+    source.isFixed = given.choice("motion", {"free", "fixed"}, usualMotion) == std::string("fixed");
+    if (source.type == "lattice") source.lattice = readLattice(given, around);
+    else source.file = given.text("file");
+    source.filePlace = given.place("file");
+    if (source.type == "positionsFile") source.diameter = given.number("diameter", above(0, unit::length));
+    source.clump = readClump(given, source, around);
+    given.finish();
+    return source;
+}
+
+} // namespace
+
+void readSources(const CheckedEntries& top, const Surroundings& around, Scene& scene)
+{
+    const std::string motion = top.choice("motion", {"free", "fixed"}, "free");
+    scene.maxInitialOverlap = top.number("maxInitialOverlap", atLeast(0), scene.maxInitialOverlap);
+    scene.overlapPlace = top.place("maxInitialOverlap");
+
+    const Dictionary& grains = top.sub("grains");
+    const CheckedEntries named(grains);
+    if (grains.find("type") && !named.isDictionary("type"))
+    {
+        scene.sources.push_back(readSource(grains, scene.materials, around, motion.c_str()));
+        return;
+    }
+    for (const Entry& entry : grains.entries)
+    {
+        if (!entry.dict)
+        {
+            const std::string allowed = "grains { type lattice; ... }, or one dictionary for each source";
+            throw InputError({named.place(entry.keyword), "stands in grains without a type", "", allowed});
+        }
+        scene.sources.push_back(readSource(*entry.dict, scene.materials, around, motion.c_str()));
+    }
+}
+
+} // namespace input

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Placing grains and clumps.
+#include "input/start/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace input
+{
+
+namespace
+{
+
+/// Uniform over all orientations (Shoemake 1992), or over the turns in the plane.
+nscd::Quaternion randomOrientation(const nscd::RandomNumbers& uniform, int emptyAxis)
+{
+    const double turn = 2.0*3.14159265358979323846;
+    if (emptyAxis >= 0) return nscd::Quaternion(Eigen::AngleAxisd(turn*uniform(), Vec3::Unit(emptyAxis)));
+    const double u = uniform(), a = turn*uniform(), b = turn*uniform(), p = std::sqrt(1.0 - u), q = std::sqrt(u);
+    return nscd::Quaternion(p*std::sin(a), p*std::cos(a), q*std::sin(b), q*std::cos(b));
+}
+
+/// Grains on their way to whoever takes them, numbered one after the other.
+struct GrainStream
+{
+    const PlacementTools& tools;
+    const GrainTaker& take;
+    nscd::Grains batch;
+    std::int64_t taken = 0;
+
+    std::int64_t nextId() const { return taken + static_cast<std::int64_t>(batch.size()); }
+
+    void makeRoom()
+    {
+        if (batch.size() >= tools.grainsInBatch) flush();
+    }
+
+    void reserve(std::size_t more) { batch.reserve(std::min(batch.size() + more, tools.grainsInBatch)); }
+
+    void flush()
+    {
+        nscd::Grains next;
+        next.shape = batch.shape;
+        taken = nextId();
+        take(batch);
+        batch = std::move(next);
+    }
+};
+
+/// Adds the grains of one source.
+class Placement
+{
+public:
+    Placement(const Scene& scene, const Surroundings& around, const GrainSource& source, GrainStream& stream)
+    :
+        materials_(scene.materials),
+        around_(around),
+        source_(source),
+        stream_(stream),
+        turns_(nscd::randomNumbers(source.clump.seed))
+    {}
+
+    void addLattice()
+    {
+        const nscd::GrainLattice& lattice = source_.lattice;
+        stream_.reserve(static_cast<std::size_t>(lattice.count[0])*lattice.count[1]*lattice.count[2]);
+        const auto addHere = [this](const Vec3& position, double diameter) { add(position, diameter, source_.material); };
+        nscd::forEachGrain(lattice, stream_.tools.randomNumbers(lattice.seed), addHere);
+    }
+
+    void addPositions()
+    {
+        const std::vector<Vec3> positions = stream_.tools.readPositions(around_.pathOfGrains(source_.file), source_.filePlace);
+        stream_.reserve(positions.size());
+        for (const Vec3& position : positions) add(position, source_.diameter, source_.material);
+    }
+
+    void addTable()
+    {
+        const std::string path = around_.pathOfGrains(source_.file);
+        const std::vector<TableRow> rows = readGrainTable(path, source_.filePlace);
+        stream_.reserve(rows.size());
+        for (const TableRow& row : rows)
+        {
+            add(row.position, row.diameter, row.material.empty() ? source_.material : materialOf(row, path));
+        }
+    }
+
+private:
+    void add(Vec3 position, double diameter, int material)
+    {
+        if (around_.shape.emptyAxis >= 0) position[around_.shape.emptyAxis] = stream_.tools.midPlane;
+        position = around_.box.wrap(position);
+        stream_.makeRoom();
+        if (source_.clump.members.empty()) addGrain(position, diameter, material);
+        else addClump(position, material);
+    }
+
+    void addGrain(const Vec3& position, double diameter, int material)
+    {
+        nscd::Grains& grains = stream_.batch;
+        grains.add(position, 0.5*diameter, materials_.density[material], material, stream_.nextId());
+        grains.velocity.back() = source_.velocity;
+        grains.omega.back() = source_.omega;
+        grains.isFixed.back() = source_.isFixed;
+    }
+
+    void addClump(const Vec3& position, int material)
+    {
+        nscd::ClumpPlacement placement;
+        placement.shape = shapeOf(material);
+        placement.position = position;
+        if (source_.clump.isRandom) placement.orientation = randomOrientation(turns_, around_.shape.emptyAxis);
+        placement.velocity = source_.velocity;
+        placement.omega = source_.omega;
+        placement.material = material;
+        placement.firstId = stream_.nextId();
+        nscd::addClump(stream_.batch, placement, around_.box);
+    }
+
+    int shapeOf(int material)
+    {
+        std::vector<nscd::ClumpShape>& shapes = stream_.batch.clumps.shapes;
+        const auto [shape, isNew] = shapeOfMaterial_.try_emplace(material, static_cast<int>(shapes.size()));
+        if (isNew) shapes.push_back(nscd::makeClumpShape(source_.clump.members, materials_.density[material], around_.shape));
+        return shape->second;
+    }
+
+    int materialOf(const TableRow& row, const std::string& path) const
+    {
+        const int material = materials_.table.find(row.material);
+        if (material >= 0 && materials_.density[material] > 0) return material;
+        const Place place = {path, row.line, source_.file};
+        throw InputError({place, "names a material that is unknown or has no density", row.material, "", materials_.grainMaterials()});
+    }
+
+    const MaterialTable& materials_;
+    const Surroundings& around_;
+    const GrainSource& source_;
+    GrainStream& stream_;
+    nscd::RandomNumbers turns_;            // of clumps
+    std::map<int, int> shapeOfMaterial_;   // index into the clumps' shapes
+};
+
+} // namespace
+
+void placeGrains(const Scene& scene, const Surroundings& around, const PlacementTools& tools, const GrainTaker& take)
+{
+    GrainStream stream{tools, take, {}};
+    stream.batch.shape = around.shape;
+    for (const GrainSource& source : scene.sources)
+    {
+        Placement placement(scene, around, source, stream);
+        if (source.type == "lattice") placement.addLattice();
+        if (source.type == "positionsFile") placement.addPositions();
+        if (source.type == "table") placement.addTable();
+    }
+    stream.flush();
+}
+
+} // namespace input

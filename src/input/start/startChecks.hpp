@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What no run can start from.
+#pragma once
+
+#include "input/scene/scene.hpp"
+
+#include "nscd/search/overlaps.hpp"
+
+namespace input
+{
+
+/// Materials that grains are made of.
+std::vector<int> usedMaterials(const nscd::Grains& grains);
+
+/// Twice the largest radius [m]; 0 where there are no grains.
+double largestDiameter(const nscd::Grains& grains);
+
+/// Refuses periods that are not longer than a grain, with the place that speaks of periods.
+void checkPeriods(const nscd::PeriodicBox& box, double largestDiameter, const Place& place);
+
+struct DescribedOverlap
+{
+    double share;        ///< depth over the diameter of the smaller body
+    std::string text;    ///< as "grains 3 and 7 overlap by 0.2 at (0 0 1)"
+};
+
+/// The worst few of some overlaps, the worst first.
+std::vector<DescribedOverlap> worstOverlaps(std::vector<nscd::Overlap> overlaps, const nscd::Grains& grains, const nscd::Walls& walls);
+
+/// Refuses overlaps with their number and the worst of them; does nothing where there are none.
+void refuseOverlaps(std::size_t number, std::vector<DescribedOverlap> worst, const Scene& scene);
+
+/// Overlaps of more than scene.maxInitialOverlap with other grains and with walls, and grains of one center.
+std::vector<nscd::Overlap> findOverlaps(const nscd::Grains& grains, const nscd::PeriodicBox& box, const nscd::Walls& walls, const Scene& scene);
+
+} // namespace input

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// The fluid at the grains: a flow whose values are known everywhere, sampled through the real weights.
+#include "coupling/step/fluidAtGrains.H"
+#include "fluidCase.H"
+#include "mappingTools.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::nscdCoupling;
+using namespace Foam::nscdCoupling::testing;
+
+namespace
+{
+
+const vector drift(0.3, -0.1, 0.2);
+const tensor gradient(0.1, -2, 0.5, 0.7, -0.3, 1.1, -0.4, 0.9, 0.2);
+
+/// u = drift + gradient^T x, sampled for grains in the middle of a box or, with one cell across, of a flat one.
+struct LinearFlow
+{
+    FluidCase box;
+    ::nscd::Grains grains;
+    std::unique_ptr<GrainMapping> mapping;
+    FluidAtGrains at;
+
+    static FluidCaseSettings settings(bool isFlat)
+    {
+        FluidCaseSettings settings = isFlat ? planeCase(6, 6, 6, 6) : FluidCaseSettings();
+        if (!isFlat)
+        {
+            settings.setCells(6, 6, 6);
+            settings.setSize(6, 6, 6);
+        }
+        settings.rho = 900;
+        settings.nu = 2e-6;
+        return settings;
+    }
+
+    explicit LinearFlow(bool isFlat = false) : box(settings(isFlat))
+    {
+        box.setVelocity([](const point& x) { return drift + (x & gradient); });
+        const scalar middle = isFlat ? 0.5 : 3;
+        if (isFlat) grains.shape = {2, 1.0, 2};
+        for (const Vec3& x : randomPoints(8, Vec3(1.5, 1.5, middle - 0.4*!isFlat), Vec3(4.5, 4.5, middle + 0.4*!isFlat)))
+        {
+            grains.add(Vec3(x.x(), x.y(), isFlat ? middle : x.z()), 0.2, 2500, 0, std::int64_t(grains.size()));
+        }
+        mapping = std::make_unique<GrainMapping>(box.mesh(), mappingDict("centroid"), 0.2);
+        mapping->update(grains, ::nscd::PeriodicBox());
+    }
+
+    void sample(unsigned wanted, const volScalarField* alpha = nullptr)
+    {
+        sampleFluid(box.fluid(), alpha, *mapping, GrainsAtHome(), wanted, at);
+    }
+};
+
+} // namespace
+
+TEST(FluidAtGrains, velocityAndSpinAreThoseOfTheFlow)
+{
+    LinearFlow flow;
+    flow.sample(reads::spin);
+    const vector curl(gradient.yz() - gradient.zy(), gradient.zx() - gradient.xz(), gradient.xy() - gradient.yx());
+    for (std::size_t i = 0; i < flow.grains.size(); ++i)
+    {
+        const vector center = flow.box.mesh().C()[flow.mapping->cells()[i]];
+        EXPECT_LT((flow.at.velocity[i] - toVec3(drift + (center & gradient))).norm(), 1e-13);
+        EXPECT_LT((flow.at.spin[i] - 0.5*toVec3(curl)).norm(), 1e-12);
+    }
+}
+
+TEST(FluidAtGrains, onlyWhatIsWantedIsSampled)
+{
+    LinearFlow flow;
+    flow.sample(reads::nothing);
+    EXPECT_EQ(flow.at.velocity.size(), flow.grains.size());
+    EXPECT_TRUE(flow.at.spin.empty() && flow.at.divTau.empty() && flow.at.pressureGradient.empty());
+    EXPECT_TRUE(flow.at.viscosity.empty() && flow.at.fluidFraction.empty());
+    flow.sample(reads::divTau | reads::pressureGradient);
+    EXPECT_EQ(flow.at.divTau.size(), flow.grains.size());
+    EXPECT_EQ(flow.at.pressureGradient.size(), flow.grains.size());
+    EXPECT_TRUE(flow.at.spin.empty() && flow.at.viscosity.empty() && flow.at.fluidFraction.empty());
+}
+
+TEST(FluidAtGrains, whatIsNotSampledAgainStaysAsItIs)
+{
+    LinearFlow flow;
+    setCells(flow.box.sources().alpha, [](const point& x) { return 0.1*x.x(); });
+    flow.sample(reads::viscosity | reads::fluidFraction, &flow.box.sources().alpha);
+    const FluidAtGrains before = flow.at;
+    for (std::size_t i = 0; i < flow.grains.size(); ++i)
+    {
+        EXPECT_NEAR(flow.at.viscosity[i], 900*2e-6, 1e-15);
+        EXPECT_NEAR(flow.at.fluidFraction[i], 0.1*flow.box.mesh().C()[flow.mapping->cells()[i]].x(), 1e-14);
+    }
+    flow.sample(reads::spin, &flow.box.sources().alpha);
+    EXPECT_EQ(flow.at.viscosity, before.viscosity);
+    EXPECT_EQ(flow.at.fluidFraction, before.fluidFraction);
+    flow.sample(reads::fluidFraction);
+    EXPECT_EQ(flow.at.fluidFraction, std::vector<scalar>(flow.grains.size(), 1.0)) << "without feedback";
+}
+
+TEST(FluidAtGrains, onAFlatMeshVectorsLieInItsPlaneAndSpinsAcrossIt)
+{
+    LinearFlow flow(true);
+    flow.sample(reads::spin | reads::divTau | reads::pressureGradient);
+    for (std::size_t i = 0; i < flow.grains.size(); ++i)
+    {
+        EXPECT_EQ(flow.at.velocity[i].z(), 0);
+        EXPECT_EQ(flow.at.divTau[i].z(), 0);
+        EXPECT_EQ(flow.at.pressureGradient[i].z(), 0);
+        EXPECT_EQ(flow.at.spin[i].x(), 0);
+        EXPECT_EQ(flow.at.spin[i].y(), 0);
+        EXPECT_NEAR(flow.at.spin[i].z(), 0.5*(gradient.xy() - gradient.yx()), 1e-12);
+    }
+}
