@@ -69,12 +69,12 @@ struct Dummies
     }
 };
 
-MaterialProperties glass()
+input::MaterialTable glass()
 {
-    MaterialProperties materials;
+    input::MaterialTable materials;
     materials.table.add("glass");
     materials.density.push_back(2500);
-    materials.place.push_back(InputPlace());
+    materials.place.push_back(input::Place());
     return materials;
 }
 
