@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The seven parts of a time step.
-// Tested by tests/foam/program/caseProgramTest.C tests/foam/program/ranksTest.C
+// Tested by tests/foam/program/caseProgramTest.C, tests/foam/program/ranksTest.C
 #include "coupling/step/coupledRun.H"
 
 #include "coupling/step/fluidAtGrains.H"

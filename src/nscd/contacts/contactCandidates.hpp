@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Which bodies could touch before the list is built again.
+// Tested by tests/unit/nscd/contacts/contactListTest.cpp, tests/unit/nscd/scene/wallsTest.cpp
 #pragma once
 
 #include "nscd/contacts/contactBatching.hpp"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // A law of contacts beside Coulomb's and Newton's: what one has to tell, and the table of all there are.
+// Tested by tests/unit/nscd/contacts/laws/contactLawsTest.cpp
 #pragma once
 
 #include "nscd/kernels/contactBlock.hpp"

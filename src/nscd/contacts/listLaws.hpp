@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The laws beside Coulomb's that a contact list has; none in plain scenes, which pay nothing.
+// Tested by tests/unit/nscd/contacts/laws/contactLawsTest.cpp
 #pragma once
 
 #include "nscd/contacts/contactLaw.hpp"
@@ -9,7 +10,7 @@
 namespace nscd
 {
 
-/// Asks all laws of a list, in the order of their rows; see ContactLaw. Tested by tests/unit/nscd/contacts/laws.
+/// Asks all laws of a list, in the order of their rows; see ContactLaw.
 class ListLaws
 {
 public:

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The force of a contact on its wall.
+// Tested by tests/unit/nscd/scenes/drumTest.cpp, tests/unit/nscd/contacts/movingWallsTest.cpp
 #pragma once
 
 #include "nscd/contacts/contactList.hpp"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Asks for what a pass over blocks will come to. In an anonymous namespace, as laneBodies.hpp is.
+// Tested by tests/unit/nscd/kernels/sweepKernelsTest.cpp
 #pragma once
 
 #include "nscd/kernels/contactBlock.hpp"

@@ -3,6 +3,7 @@
 //
 // What the contact sweep works on: bodies of one cache line, and contacts in blocks of eight lanes.
 // Included by translation units built for wider instruction sets: no functions, no standard library.
+// Tested by tests/unit/nscd/kernels/sweepKernelsTest.cpp
 #pragma once
 
 #include <cstddef>

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The local solution of discs in a plane: one tangential direction, one spin. Included as sweepKernel.hpp is.
+// Tested by tests/unit/nscd/scenes/skipTest.cpp
 #pragma once
 
 #include "nscd/kernels/laneBodies.hpp"

@@ -3,6 +3,7 @@
 //
 // What all passes over contacts share, for any number of lanes: relative velocities, the friction cone, moving the bodies.
 // Everything is in an anonymous namespace, so that no function built for a wider set can leak into the portable program.
+// Tested by tests/unit/nscd/kernels/sweepKernelsTest.cpp
 #pragma once
 
 #include "nscd/kernels/blockPrefetch.hpp"

@@ -3,6 +3,7 @@
 //
 // The passes over memory of an Anderson mixing and of momentum; included by one translation unit per instruction set, as the sweep is, for the
 // compiler to vectorize over the lanes.
+// Tested by tests/unit/nscd/kernels/sweepKernelsTest.cpp, tests/unit/nscd/solvers/help/andersonAccelerationTest.cpp
 #pragma once
 
 #include "nscd/kernels/contactBlock.hpp"

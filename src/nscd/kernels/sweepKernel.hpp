@@ -3,6 +3,7 @@
 //
 // The contact sweep, written once for any number of lanes; included by one translation unit per instruction set.
 // Everything is in an anonymous namespace, so that no function built for a wider set can leak into the portable program.
+// Tested by tests/unit/nscd/kernels/sweepKernelsTest.cpp
 #pragma once
 
 #include "nscd/kernels/discKernel.hpp"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The contact sweep four lanes at a time, for processors with AVX2 and FMA.
+// Tested by tests/unit/nscd/kernels/sweepKernelsTest.cpp
 #if defined(__x86_64__)
 #pragma GCC target("avx2,fma")
 #include <immintrin.h>

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The contact sweep eight lanes at a time, for processors with AVX-512.
+// Tested by tests/unit/nscd/kernels/sweepKernelsTest.cpp
 #if defined(__x86_64__)
 #pragma GCC target("avx512f,avx512dq,avx512vl,avx2,fma")
 // GCC 12 warns of the deliberately undefined operand inside its own intrinsics (GCC bug 105593).

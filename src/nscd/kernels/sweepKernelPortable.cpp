@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The contact sweep one lane at a time, for any processor.
+// Tested by tests/unit/nscd/kernels/sweepKernelsTest.cpp
 #include "nscd/kernels/sweepKernel.hpp"
 #include "nscd/kernels/sweepKernels.hpp"
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Settings of contact search and contact solve, with defaults for flowing beds.
+// Tested by tests/unit/nscd/scene/sceneCheckTest.cpp, tests/unit/nscdGrains/goodSceneTest.cpp
 #pragma once
 
 #include "nscd/scene/solverStrategy.hpp"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The seam between the grain library and other ranks: everything it asks of them, and the answers of a serial run.
+// Tested by tests/unit/nscd/kernels/haloTest.cpp, tests/parallel/mpiExchangeTest.cpp
 #pragma once
 
 #include "nscd/base/periodicBox.hpp"

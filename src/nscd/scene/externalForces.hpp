@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What acts on the grains from outside during one step.
+// Tested by tests/unit/nscd/step/contactStepTest.cpp
 #pragma once
 
 #include "nscd/base/vec3.hpp"

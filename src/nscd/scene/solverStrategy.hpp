@@ -11,7 +11,6 @@ namespace nscd
 
 /// Helps of a solve by sweeps. No dictionary reads these numbers. What each help is worth is measured by `tests/benchmark/run ablation`, which switches them off one
 /// by one; the table is in src/nscd/measured.md. A flow: most grains move. Cold: no contact carries an impulse at the start. Limits: those of the stop rule.
-/// Tested by tests/unit/nscd/solvers/contactSolverTest.cpp
 struct SolverStrategy
 {
     /// A bed that hardly moves is solved on beyond its tolerance: what a solve leaves keeps grains moving, and those leave the dead band.

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What a contact's impulse is kept as between two runs.
+// Tested by tests/unit/nscd/contacts/storedImpulsesTest.cpp, tests/unit/nscd/tools/sceneCheckpointTest.cpp
 #pragma once
 
 #include "nscd/base/vec3.hpp"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Newton's method as a solver behind the common signature; sweeps do what it leaves.
+// Tested by tests/unit/nscd/solvers/contactSolverTest.cpp, tests/unit/nscd/solvers/direct/directSolveTest.cpp
 #include "nscd/solvers/contactSolver.hpp"
 #include "nscd/solvers/direct/directSolve.hpp"
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Nonlinear Gauss-Seidel (Algorithm 2 of the method): sweeps over all contacts, warm started, with help when slow.
+// Tested by tests/unit/nscd/solvers/contactSolverTest.cpp
 #include "nscd/solvers/contactSolver.hpp"
 #include "nscd/solvers/direct/directHelp.hpp"
 #include "nscd/solvers/help/loneDefects.hpp"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Nonlinear conjugate gradients around Gauss-Seidel sweeps, as a solver behind the common signature.
+// Tested by tests/unit/nscd/solvers/contactSolverTest.cpp
 #include "nscd/solvers/contactSolver.hpp"
 #include "nscd/solvers/help/andersonAcceleration.hpp"
 #include "nscd/solvers/sweepLoop.hpp"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Accelerated projected gradient, as a solver behind the common signature: all contacts at once, whatever their order.
+// Tested by tests/unit/nscd/solvers/contactSolverTest.cpp
 #include "nscd/solvers/contactSolver.hpp"
 #include "nscd/solvers/help/andersonAcceleration.hpp"
 #include "nscd/solvers/problem/localContact.hpp"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The thesis' queue as a solver behind the common signature, judged by the common residual.
+// Tested by tests/unit/nscd/solvers/contactSolverTest.cpp
 #include "nscd/solvers/contactSolver.hpp"
 #include "nscd/solvers/help/contactQueue.hpp"
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The loop of all solvers that pass over the contacts again and again until the stop rule is met.
+// Tested by tests/unit/nscd/solvers/contactSolverTest.cpp
 #pragma once
 
 #include "nscd/solvers/contactSolver.hpp"

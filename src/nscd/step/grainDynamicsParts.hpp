@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What a GrainDynamics holds; seen by its own source files only.
+// Tested by tests/unit/nscd/step/grainDynamicsTest.cpp
 #pragma once
 
 #include "nscd/contacts/contactList.hpp"

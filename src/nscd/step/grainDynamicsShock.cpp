@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The second solve of a step with restitution, and its energy account.
+// Tested by tests/unit/nscd/step/shockWorkTest.cpp
 #include "nscd/step/grainDynamicsParts.hpp"
 
 #include "nscd/solvers/help/andersonAcceleration.hpp"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Falling asleep and waking: which list a step works on.
+// Tested by tests/unit/nscd/step/grainSleepTest.cpp, tests/unit/nscd/step/awakePartTest.cpp
 #include "nscd/step/grainDynamicsParts.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Making grain dynamics, looking at it, and storing it.
+// Tested by tests/unit/nscd/scenes/restartTest.cpp, tests/unit/nscd/tools/sceneCheckpointTest.cpp
 #include "nscd/step/grainDynamicsParts.hpp"
 
 #include "nscd/base/invalidValue.hpp"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Bodies with a full Delassus operator in the contact problem, and their contacts.
+// Tested by tests/unit/nscd/contacts/generalCandidatesTest.cpp, tests/unit/nscd/contacts/general/generalSweepTest.cpp
 #pragma once
 
 #include "nscd/base/vec3.hpp"

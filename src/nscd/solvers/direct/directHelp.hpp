@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // When the direct method takes over from sweeps.
+// Tested by tests/unit/nscd/solvers/direct/directSolveTest.cpp
 #pragma once
 
 #include "nscd/solvers/problem/stopRule.hpp"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Help for a Gauss-Seidel solve that turns out to be slow.
+// Tested by tests/unit/nscd/solvers/help/sweepMomentumTest.cpp, tests/unit/nscd/scene/solverStrategyTest.cpp
 #pragma once
 
 #include "nscd/solvers/help/andersonAcceleration.hpp"

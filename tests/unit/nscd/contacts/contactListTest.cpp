@@ -157,26 +157,3 @@ TEST(ExpectedMotion, aListIsStaleOnceAGrainIsElsewhere)
     for (int body = 0; body < 2; ++body) list.bodies[body].v[0] = 0.9*margin/deltaT;
     EXPECT_TRUE(nscd::coversMotion(list, deltaT, true));
 }
-
-TEST(ExpectedMotion, rainOnABedMakesNoListsWithoutEnd)
-{
-    constexpr double small = 1e-3, pitch = 2.3*small;
-    constexpr int perSide = 6, bedLayers = 3, rainLayers = 20;
-    Scene scene(3, 0.3, 0.0);
-    scene.box.length = Vec3(perSide*pitch, perSide*pitch, 0);
-    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> unit(-0.5, 0.5);
-    for (int n = 0; n < perSide*perSide*(bedLayers + rainLayers); ++n)
-    {
-        const int layer = n/(perSide*perSide);
-        const bool isRain = layer >= bedLayers;
-        const Vec3 place(n % perSide + 0.5, n/perSide % perSide + 0.5, isRain ? 2.0*layer - bedLayers + 0.5 : layer + 0.5);
-        scene.addGrain(pitch*place + 0.1*small*Vec3(unit(random), unit(random), unit(random)), small);
-        if (isRain) scene.grains.velocity.back() = Vec3(0, 0, -2.0 + unit(random));  // a diameter a step
-    }
-    auto dynamics = scene.build(nscd::ContactSettings());
-    const double most = 50.0*scene.grains.size();  // seen: 31, and 1600 where all candidates give blows
-    for (int k = 0; k < 10; ++k) step(dynamics, scene.g, deltaT);  // the first lists know nothing of who is near whom
-    for (int k = 10; k < 60; ++k) EXPECT_LT(step(dynamics, scene.g, deltaT).candidates, most) << "step " << k;
-}

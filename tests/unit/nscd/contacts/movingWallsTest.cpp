@@ -248,27 +248,8 @@ TEST(MovingWall, restartsToTheBitFromTimeAlone)
     EXPECT_GT(dynamics.wallForce()[paddle].norm(), 0);
 }
 
-TEST(MovingWall, speedsAreIntegrated)
-{
-    const nscd::ScalarOfTime ramp = nscd::integralOf([](double t) { return t < 0.3137 ? 2*t : 0.6274; });
-    const nscd::ScalarOfTime sine = nscd::integralOf([](double t) { return std::sin(50*t); });
-    const nscd::ScalarOfTime jump = nscd::integralOf([](double t) { return t < 0.5 ? 0.0 : 1.0; });
-    const nscd::VectorOfTime constant = nscd::integralOf([](double) { return Vec3(1, 2, 3); });
-    for (double t : {2.0, 0.7, 0.1, 0.3137, 0.0, -0.2})
-    {
-        EXPECT_NEAR(ramp(t), t < 0.3137 ? t*t : 0.3137*0.3137 + 0.6274*(t - 0.3137), 1e-12);
-        EXPECT_NEAR(sine(t), (1 - std::cos(50*t))/50, 1e-12);
-        EXPECT_NEAR(jump(t), std::max(0.0, t - 0.5), 1e-12);
-        EXPECT_NEAR((constant(t) - t*Vec3(1, 2, 3)).norm(), 0, 1e-12);
-    }
-    // What was asked before does not matter to the bit.
-    EXPECT_EQ(nscd::integralOf([](double t) { return std::sin(50*t); })(0.7), sine(0.7));
-}
-
 TEST(MovingWall, refusesWhatIsNoMotion)
 {
-    EXPECT_THROW(nscd::rotation(Vec3::Zero(), Vec3::Zero(), 1.0), std::invalid_argument);
-    EXPECT_THROW(nscd::oscillation(Vec3::UnitX(), -1.0), std::invalid_argument);
     Scene scene = onFloor(0.3);
     scene.walls.setMotion(0, [](double) { nscd::WallPose p = nscd::WallPose::Identity(); p.linear() *= 1.1; return p; });
     EXPECT_THROW(scene.build(), std::invalid_argument);

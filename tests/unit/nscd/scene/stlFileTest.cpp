@@ -3,7 +3,8 @@
 //
 // STL files: both forms, several solids, and what is wrong with a file in words that name the place.
 #include "nscd/scene/stlFile.hpp"
-#include "nscd/scene/wallFile.hpp"
+
+#include "nscd/scene/walls.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,6 @@
 #include <cstdio>
 #include <fstream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 using nscd::Triangle;
@@ -130,17 +130,4 @@ TEST(Stl, leavesOutTrianglesWithoutArea)
     EXPECT_THROW(walls.addTriangles(patch, {triangles[2], triangles[3]}), std::invalid_argument);
     triangles[0][0][0] = std::numeric_limits<double>::infinity();
     EXPECT_THROW(walls.addTriangles(patch, triangles), std::invalid_argument);
-}
-
-TEST(Stl, writesWallsWhereTheyAre)
-{
-    nscd::Walls walls;
-    const int patch = walls.addPatch("sheet", 0);
-    walls.addTriangles(patch, two);
-    walls.addPlane(patch, Vec3::Zero(), Vec3::UnitZ());
-    walls.setMotion(patch, nscd::translation(Vec3(0, 0, 2)));
-    nscd::moveWalls(walls, 1.5);
-    std::ostringstream os;
-    nscd::writeVtk(os, walls, patch);
-    expectSaid(os.str(), {"DATASET POLYDATA", "POINTS 6 double", "POLYGONS 2 8\n3 0 1 2\n3 3 4 5\n", "3.25"});
 }

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Walls of polygons: nearest points, search against brute force, corners and shared edges felt once.
+// Walls of polygons: nearest points, corners and shared edges felt once.
 #include "unit/nscd/scenes/scenes.hpp"
-#include "nscd/search/wallSearch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cfenv>
-#include <random>
 
 using namespace scenes;
 
@@ -71,36 +69,6 @@ TEST(Wall, refusesWhatIsNoWall)
     EXPECT_THROW(walls.addPolygon(0, {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}), std::invalid_argument);
     walls.addPlane(0, Vec3::Zero(), Vec3::UnitX());
     EXPECT_THROW(nscd::bounds(walls.regions[0]), std::invalid_argument);
-}
-
-TEST(Wall, searchFindsWhatBruteForceFinds)
-{
-    nscd::Walls walls;
-    walls.addPatch("rubble", 0);
-    std::mt19937 random(9);
-    std::uniform_real_distribution<double> unit(-1, 1);
-    const auto point = [&] { return Vec3(unit(random), unit(random), unit(random)); };
-    for (int k = 0; k < 300; ++k)
-    {
-        const Vec3 at = point();
-        const double size = k % 10 == 0 ? 1.0 : 0.1;
-        walls.addPolygon(0, {at, at + size*point(), at + size*point()});
-    }
-    walls.addPlane(0, Vec3(0, 0, -0.2), Vec3::UnitZ());
-    const nscd::WallSearch search(walls, 0.08);
-    for (int k = 0; k < 500; ++k)
-    {
-        const Vec3 center = 1.3*point();
-        const double reach = 0.1 + 0.05*unit(random);
-        std::vector<int> found, expected;
-        search.find(center, reach, found);
-        for (std::size_t region = 0; region < walls.regions.size(); ++region)
-        {
-            if (std::abs(nscd::nearestPoint(walls.regions[region], center).distance) < reach) expected.push_back(static_cast<int>(region));
-        }
-        std::sort(found.begin(), found.end());
-        ASSERT_EQ(found, expected);
-    }
 }
 
 namespace
