@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
-// Runs the tests of OpenFOAM land; errors of OpenFOAM throw instead of ending the program.
+// Runs the tests of the code that needs OpenFOAM; errors of OpenFOAM throw instead of ending the program.
 // With -parallel, under mpirun, every rank runs the tests whose names end in Ranks; rank 0 prints, others tell only what failed.
 
 #include "IOobject.H"

@@ -17,7 +17,7 @@ const char* const usage =
     "  scene       the dictionary of the scene; left out: the file `scene` in this folder\n"
     "  -restart    goes on from the state written last\n"
     "  -overwrite  starts anew where results of an earlier run are\n"
-    "Keywords: README.md beside the sources, applications/utilities/nscdGrains.\n";
+    "Keywords: scene.example beside the sources, applications/utilities/nscdGrains.\n";
 
 } // namespace
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// A scene as plain structs: all that its dictionary may say, checked, with defaults. README.md shows every keyword.
+// A scene as plain structs: all that its dictionary may say, checked, with defaults. scene.example shows every keyword.
 #pragma once
 
 #include "input/scene/scene.hpp"

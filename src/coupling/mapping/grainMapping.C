@@ -221,10 +221,10 @@ const MappingReport& GrainMapping::update(const ::nscd::Grains& grains, const ::
     return report_;
 }
 
-void GrainMapping::voidFraction(volScalarField& epsilon) const
+void GrainMapping::voidFraction(volScalarField& fluidFraction) const
 {
-    epsilon.primitiveFieldRef() = 1 - solidFraction_;
-    epsilon.correctBoundaryConditions();
+    fluidFraction.primitiveFieldRef() = 1 - solidFraction_;
+    fluidFraction.correctBoundaryConditions();
 }
 
 // From amounts in own and halo cells to what own cells have per unit volume.

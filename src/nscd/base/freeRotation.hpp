@@ -20,7 +20,7 @@ inline Quaternion rotationBy(const Vec3& turn)
 }
 
 /// Angular velocity w [rad/s], world frame, with which a body of angular momentum L [kg m2/s] turns in a step: q <- exp(w dt) q.
-/// It holds the gyroscopic force -w x J w (eq. 2.7 of the method) as the implicit midpoint rule does: in the body's axes, with
+/// It holds the gyroscopic force -w x J w (Henry 2025, eq. 2.7) as the implicit midpoint rule does: in the body's axes, with
 ///     P = q^-1 L,  P' = exp(-w dt) P:   J w = (P + P')/2.
 /// Then P' = q'^-1 L, so that L stays as it is; and P'.J^-1 P' - P.J^-1 P = 2 w.(P' - P) = 0, since w is the axis of the turn: energy
 /// stays too. Both to round-off at any dt, orientation to second order (Simo & Wong 1991, Int. J. Numer. Meth. Eng. 31, 19; Lewis & Simo 1994).

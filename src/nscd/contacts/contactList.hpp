@@ -36,13 +36,13 @@ struct ContactList
     std::vector<int> grainOf;
     std::vector<Vec3> positionAtBuild;
     std::vector<double> reach;              ///< distance a body may travel from positionAtBuild before the list is stale [m]
-    std::vector<Vec3> path;                 ///< displacement expected of it within pathTime, or empty: none is [m]
-    std::vector<double> slack;              ///< what of the reach its path leaves: distance it may be from where it was expected [m]
+    std::vector<Vec3> path;                 ///< displacement expected of each within pathTime [m]; empty: none is expected
+    std::vector<double> slack;              ///< how far it may be from where its path expects it: reach less path [m]
     double pathTime = 0.0;                  ///< [s]
     double age = 0.0;                       ///< time that bodies have moved since the list was built [s]
 
     // Per own body, ghost and copy.
-    std::vector<Vec3> position;             ///< not wrapped since the list was built; walls know only wrapped ones [m]
+    std::vector<Vec3> position;             ///< not wrapped since the list was built; it is where walls are concerned [m]
     std::vector<double> radius;
     std::vector<double> inverseMass;        ///< 0 where held; without drag, and not split among ranks [1/kg]
     std::vector<std::int64_t> id;

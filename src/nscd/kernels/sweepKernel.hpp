@@ -15,7 +15,7 @@ namespace nscd
 namespace
 {
 
-/// Local solution of one contact per lane (grains.md section 1): with own impulse r, relative velocity u at the contact,
+/// Local solution of one contact per lane (src/nscd/method.md, "The contact law"): with own impulse r, relative velocity u at the contact,
 /// p_n = max(0, r_n - (u_n + b)/W_nn), p_t = Proj_{mu p_n}(r_t - u_t/W_tt). Exact, since W is diagonal for spheres and discs.
 /// An evaluation bounds friction by mu r_n as the natural map does, a sweep by the new mu p_n. Always inlined: called, its sums would go through memory.
 template<class V, bool isFrictional, bool isUpdate>

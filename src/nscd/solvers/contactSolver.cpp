@@ -24,7 +24,7 @@ const std::vector<ContactSolverRow>& contactSolvers()
         {"NLGS", solveNlgs, "nonlinear Gauss-Seidel sweeps over all contacts, accelerated when slow", true},
         {"NNCG", solveNncg, "nonlinear conjugate gradients around Gauss-Seidel sweeps", true},
         {"APG", solveProjectedGradient, "accelerated projected gradient with refreshed Tresca bounds, whatever the order of contacts", false},
-        {"queue", solveQueue, "the thesis' queue: only contacts whose neighborhood changed are solved again", false},
+        {"queue", solveQueue, "a queue of contacts: only those whose neighborhood changed are solved again", false},
         {"direct", solveDirect, "Newton's method with sparse factors, for chains, walls and bodies of very different mass", false}
     };
     return rows;

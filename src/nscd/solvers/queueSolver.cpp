@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// The thesis' queue as a solver behind the common signature, judged by the common residual.
+// The queue of Henry 2025 as a solver behind the common signature, judged by the common residual.
 // Tested by tests/unit/nscd/solvers/contactSolverTest.cpp
 #include "nscd/solvers/contactSolver.hpp"
 #include "nscd/solvers/help/contactQueue.hpp"

@@ -22,7 +22,8 @@ inline bool isWakingDue(int sweeps, const ContactProblem& problem, const SolverS
     return problem.isFlowing() ? isPowerOfFour : isPowerOfTwo;
 }
 
-/// When what a sweep leaves may meet the rule already though what it met does not. A look at that costs most of a sweep.
+/// After which sweeps the residual is evaluated: a sweep tells the defects it met, not those it left, which may meet the rule already.
+/// An evaluation costs most of a sweep.
 class Looks
 {
 public:

@@ -10,7 +10,7 @@ namespace nscd
 {
 
 /// Holds the list of all contacts and the forces on all grains as they are between two steps, while a step works on a part: the awake
-/// grains, all their candidates, and the sleepers among these, which have no mobility. What a step makes of the part is given back.
+/// grains, all their candidates, and the sleeping grains among these, which have no mobility. What a step makes of the part is given back.
 /// Nothing here costs more than the part does, but for holding a list and for finding who is awake.
 class AwakePart
 {
@@ -44,7 +44,7 @@ public:
 
     /// Of some sleeping grains and those around them through `rings` closed contacts, all that sleep, ascending.
     std::vector<int> sleepersAround(const std::vector<int>& grains, int rings, const GrainSleep& sleep, double deadBand) const;
-    /// Sleepers that held grains in motion may meet.
+    /// Sleeping grains that held grains in motion may meet.
     std::vector<int> sleepersBesideDriven(const Grains& grains, const GrainSleep& sleep) const;
 
 private:

@@ -11,7 +11,7 @@
 namespace nscd
 {
 
-/// Free velocity of every body (eq. 2.11 with drag implicit in the grain): v = (m v + dt f)/(m + gamma dt), mobilities with it.
+/// Free velocity of every body (Henry 2025, eq. 2.11, with drag implicit in the grain): v = (m v + dt f)/(m + gamma dt), mobilities with it.
 /// Held and sleeping grains have none of either mobility.
 /// Units:   SI; list.bodies is overwritten
 /// Errors:  std::invalid_argument for a force that is not finite, naming the grain

@@ -18,7 +18,7 @@ void checkGeneralBodies
     const Grains& grains, const PeriodicBox& box, const Exchange& exchange, const ContactSettings& settings, const Materials& materials
 );
 
-/// Free motion of clumps: v + dt f/m, and the spin that L + dt t makes of itself in the step (midpointSpin: eq. 2.7 of the method). Forces
+/// Free motion of clumps: v + dt f/m, and the spin that L + dt t makes of itself in the step (midpointSpin: Henry 2025, eq. 2.7). Forces
 /// on members act at the mass center of their clump, so that weight turns nothing; their torques add up.
 /// Members among the list's bodies get the velocities.
 /// Errors: std::invalid_argument for implicit drag on a member

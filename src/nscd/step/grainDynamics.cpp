@@ -74,7 +74,7 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     const bool areSomeAsleep = sleep.any();
     // Within a step laws act by the impulses at its start, whatever a solve has made of them since.
     const bool isWithinStep = isStepBegun && list.laws.areOfStart() && !areSomeAsleep;
-    // What such laws did in the last step, which belongs to the forces on sleepers, is lost with a list.
+    // What such laws did in the last step, which belongs to the forces on sleeping grains, is lost with a list.
     if (areSomeAsleep && list.laws.areOfStart()) wakeAll();
     else if (areSomeAsleep) list = awakePart.release();
     ImpulseRecord impulses = isListStale ? std::move(restored) : isWithinStep ? beforeStep : collectImpulses(list);

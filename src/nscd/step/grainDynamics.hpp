@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// The grains' time step (Algorithms 1 to 3 of the method): free velocities, pairs, contacts, solve, move.
+// The grains' time step (Henry 2025, Algorithms 1 to 3): free velocities, pairs, contacts, solve, move.
 #pragma once
 
 #include "nscd/base/periodicBox.hpp"

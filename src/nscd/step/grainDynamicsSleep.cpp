@@ -49,7 +49,7 @@ void GrainDynamics::Implementation::wakeWithinSolve(const std::vector<int>& slee
 SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
 {
     SolveReport report = solveOnce(external);
-    // After some solves whole rings of grains are woken, more and more of them: a blow reaches far.
+    // After some solves whole rings of grains are woken, more and more of them: an impact reaches far.
     constexpr int withoutRings = 5;
     for (int round = 0; sleep.any(); ++round)
     {
@@ -72,7 +72,7 @@ void GrainDynamics::Implementation::letSleep(const ExternalForces& external, Ste
     if (sleep.any())
     {
         awakePart.giveBack(list, forcesOnBodies());
-        // The overlap correction moves no sleeper.
+        // The overlap correction moves no sleeping grain.
         wake(sleep.pressed(grains, list, settings.overlapTolerance*diameter));
     }
     const bool isListWhole = !sleep.any();

@@ -14,7 +14,7 @@ namespace nscd
 
 struct ContactForces;
 
-/// What a look at the end of a step needs to know of it. `contact`: of the impulses that the list keeps, by grain.
+/// What is to be known of a step at its end. `contact`: of the impulses that the list keeps, by grain.
 struct RestingStep
 {
     const ContactList& list;   ///< of all grains that are awake
@@ -25,7 +25,7 @@ struct RestingStep
     double deadBand;           ///< [m]
 };
 
-/// A look every `stepsToSleep` steps lets those grains fall asleep that since the last one were slower than `restLimit` vs, on which the
+/// Every `stepsToSleep` steps those grains fall asleep that since the last such step were slower than `restLimit` vs, on which the
 /// contact force stayed what it was then to `restLimit` m vs/dt, and which touch no grain that fails in that and nothing that moves by itself. Velocities
 /// become zero, impulses stay. A sleeping grain has no mobility; contacts of awake grains with it are solved as with a held one, and it
 /// wakes in the step in which what these contacts, or the caller's forces, do to it differs by more than `restLimit` m vs/dt from when it fell
@@ -33,9 +33,9 @@ struct RestingStep
 class GrainSleep
 {
 public:
-    /// Of speeds, in units of a step's speed scale vs, and of forces: what grains of a polished bed at rest keep at most of the noise of
-    /// the solves, a few times over. Both are one number since a grain that is stopped loses that much momentum to those around it: with a
-    /// tenth for forces these wake again, and others after them, for ever.
+    /// Of speeds, in units of a step's speed scale vs, and of forces, in m vs/dt: some times what the residual of the solves leaves in a polished
+    /// bed at rest. One number for both, since a grain that is stopped gives its momentum to those around it: with a tenth of it for forces
+    /// these wake again, and others after them, for ever.
     static constexpr double restLimit = 1e-3;
     static constexpr int stepsToSleep = 32;
     /// Share of the grains that must be at rest for any to sleep: fewer save less than the next one that wakes costs, as in a flow.

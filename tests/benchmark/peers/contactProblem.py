@@ -6,7 +6,7 @@ import numpy
 
 
 class ContactProblem:
-    """Symbols as in src/nscd/README.md; world frame, SI units. Contacts have their impulses r as our solver left them."""
+    """Symbols as in src/nscd/method.md; world frame, SI units. Contacts have their impulses r as our solver left them."""
 
     def __init__(self, path):
         bodies = numpy.fromfile(str(path) + ".bodies").reshape(-1, 8)

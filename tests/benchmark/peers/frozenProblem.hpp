@@ -10,7 +10,7 @@ namespace scenes
 {
 
 /// NAME.bodies: a body a row, free v, 1/m, free s, 1/(kappa m). NAME.contacts: a contact a row, body A, body B (-1: none), n, bias, friction,
-/// impulse on A. All contacts that are listed, in SI units; symbols as in src/nscd/README.md.
+/// impulse on A. All contacts that are listed, in SI units; symbols as in src/nscd/method.md.
 class FrozenFiles
 {
 public:

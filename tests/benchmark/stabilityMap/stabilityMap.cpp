@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Whether a narrow settled bed with periodic sides stays at rest, for caps of sweeps, tolerances and time steps, as CSV.
-// stabilityMap layers steps caps tolerances dts guard     lists with commas; guard: 1 lets the library raise caps
+// stabilityMap layers steps caps tolerances dts     lists with commas
 // Each point starts from the same grains at rest and their impulses; for ten steps they weigh a tenth more. Figures are of the second half
 // of the steps: kinetic energy per grain (m g d), worst base force and its mean (of the weight), change of the mass center's height
 // (d; from before the first step), steps that ended at the cap, sweeps a step.

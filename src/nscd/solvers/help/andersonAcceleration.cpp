@@ -68,7 +68,7 @@ AndersonAcceleration::Gamma AndersonAcceleration::solveLeastSquares() const
     Eigen::Matrix<double, mixingDepth, mixingDepth> gram = gram_;
     for (int column = 0; column < mixingDepth; ++column)
     {
-        // Nearly parallel differences must not blow the mixing up; columns not yet filled are zero and take no part.
+        // Nearly parallel differences must not let the mixing diverge; columns not yet filled are zero and take no part.
         double& diagonal = gram(column, column);
         diagonal = column < stored_ ? diagonal*(1.0 + 1e-10) : 1.0;
     }

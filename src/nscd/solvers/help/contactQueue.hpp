@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// The queue of the thesis (section 2.3): a contact is solved again only after something near it changed.
+// The queue of Henry 2025, section 2.3: a contact is solved again only after something near it changed.
 #pragma once
 
 #include "nscd/solvers/problem/stopRule.hpp"
@@ -22,7 +22,7 @@ public:
     /// Contacts whose velocity defect exceeds the threshold [m/s].
     std::vector<std::uint32_t> defective(double threshold) const;
 
-    /// Works the queue off, starting from `seeds`: a change of u by less than `threshold` [m/s] is not kept (the thesis' revert).
+    /// Works the queue off, starting from `seeds`: a change of u by less than `threshold` [m/s] is not kept (Henry's revert).
     /// Returns the visits made, at most `maxVisits`.
     /// Errors: std::runtime_error for a velocity that is not finite
     std::size_t work(const std::vector<std::uint32_t>& seeds, double threshold, std::size_t maxVisits);

@@ -10,8 +10,8 @@
 namespace nscd
 {
 
-/// A solve's problem is packed, solved, and given back. What the list's blocks hold of packed contacts is meanwhile out of every motion's
-/// reach, so that the list's blocks tell which further contacts should be packed. Keeps its memory from solve to solve.
+/// A solve's problem is packed, solved, and given back. Meanwhile the lanes of packed contacts in the list's blocks have a bias that no motion
+/// reaches, so that the list's blocks tell which further contacts should be packed. Keeps its memory from solve to solve.
 class PackedContacts : public ContactsLeftOut
 {
 public:

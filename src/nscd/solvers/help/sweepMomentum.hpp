@@ -30,7 +30,7 @@ public:
     /// Turns what a sweep has led to, r_k, into the next y, in flows once the next sweep comes by. `isNear`: whether the solution is near.
     void advance(bool isNear = false);
 
-    /// What the next sweep has to move the impulses on by; nothing the time after, unless advance() was called again.
+    /// What the next sweep has to move the impulses on by; empty unless advance() was called since the last call.
     SweepOn forNextSweep() { return std::exchange(forNextSweep_, SweepOn()); }
 
     /// Back to r_k.

@@ -11,7 +11,7 @@ namespace nscd
 
 inline bool isUsed(const ContactBlock& block, int lane) { return block.invWn[lane] > 0.0; }
 
-/// Change of a slot's impulse that solves its contact with all others held (grains.md section 1), and its velocity defect.
+/// Change of a slot's impulse that solves its contact with all others held (src/nscd/method.md, "The contact law"), and its velocity defect.
 struct LocalChange
 {
     double impulse[3];  ///< on A, world frame [N s]

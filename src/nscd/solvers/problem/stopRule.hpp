@@ -13,7 +13,7 @@
 namespace nscd
 {
 
-/// Stop rule, absolute (grains.md sections 2 and 9): rms defect <= tolerance vs and largest defect dt <= displacementTolerance d, with
+/// Stop rule, absolute (src/nscd/method.md): rms defect <= tolerance vs and largest defect dt <= displacementTolerance d, with
 /// vs = max(speed scale of the forces, 1e-3 rms defect of the first pass, 1e-3 dead band/dt).
 /// What the rule leaves of defects is the noise of a bed at rest: grains keep moving by it, contacts leave the dead band, and the
 /// bed creeps. So a bed that hardly moves is polished: limits shrink with its motion, down to 3e-3 of themselves, for some more sweeps;

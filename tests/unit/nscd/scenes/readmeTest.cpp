@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// The code of src/nscd/README.md as it stands there: five lines from an empty scene to a settled box; a stop and its continuation.
+// The code of src/nscd/README.md as it stands there: from an empty scene to a settled box; a stop and its continuation.
 #include "nscd/tools/sceneCheckpoint.hpp"
 #include "unit/nscd/scenes/sceneHash.hpp"
 #include "nscd/tools/sceneParts.hpp"

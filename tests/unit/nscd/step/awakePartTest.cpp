@@ -132,7 +132,7 @@ TEST(PartialSleep, aGrainThatFallsOnSleepersMovesThemAsIfTheyHadNotSlept)
             atBlow = report.asleep;
         }
         else if (sinceBlow > 0) ++sinceBlow;
-        ASSERT_LT(largestMove(sleeping.grains(), awake.grains()), 2e-3*radius) << "step " << k << ", after the blow " << sinceBlow;
+        ASSERT_LT(largestMove(sleeping.grains(), awake.grains()), 2e-3*radius) << "step " << k << ", after the impact " << sinceBlow;
     }
     EXPECT_EQ(sinceBlow, 30);
     EXPECT_GT(most, n*9/10);
@@ -181,7 +181,7 @@ TEST(PartialSleep, aRollerOnASleepingBedKeepsItsWayAndSinksNowhere)
     EXPECT_GT(most, 0u);
 }
 
-/// A ball that bounces on a pile: its blows reach the floor's force, whatever sleeps.
+/// A ball that bounces on a pile: its impacts reach the floor's force, whatever sleeps.
 TEST(PartialSleep, blowsOnSleepersReachTheWalls)
 {
     Pile bed({0.4, 0.6});

@@ -78,7 +78,7 @@ TEST(ListPlan, rainOnABedMakesNoListsWithoutEnd)
         if (isRain) scene.grains.velocity.back() = Vec3(0, 0, -2.0 + unit(random));  // a diameter a step
     }
     auto dynamics = scene.build(nscd::ContactSettings());
-    const double most = 50.0*scene.grains.size();  // seen: 31, and 1600 where all candidates give blows
+    const double most = 50.0*scene.grains.size();  // seen: 31, and 1600 where all candidates may give impacts
     for (int k = 0; k < 10; ++k) step(dynamics, scene.g, deltaT);  // the first lists know nothing of who is near whom
     for (int k = 10; k < 60; ++k) EXPECT_LT(step(dynamics, scene.g, deltaT).candidates, most) << "step " << k;
 }
