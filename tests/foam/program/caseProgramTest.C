@@ -291,6 +291,9 @@ std::vector<std::string> filesThatDiffer
     return different;
 }
 
+/// A text with one part of it replaced.
+std::string with(std::string text, const std::string& part, const std::string& other) { return text.replace(text.find(part), part.size(), other); }
+
 const std::string restingGrains =
     "materials { glass { density 2500; } } contacts { default { friction 0.3; restitution 0.4; } }"
     "grains { type lattice; box (0 0 0) (0.1 0.1 0.06); count (5 5 3); diameter 0.0199; spread 0.003; jitter 0.8; "
@@ -306,9 +309,8 @@ TEST(Program, aDryRunGoesOnFromAWrittenTimeAsIfNeverStopped)
 
 TEST(Program, aRunWithRollingFrictionAndCohesionGoesOnFromAWrittenTimeAsIfNeverStopped)
 {
-    std::string properties = restingGrains;
     const std::string plain = "friction 0.3; restitution 0.4;";
-    properties.replace(properties.find(plain), plain.size(), plain + " rollingFriction 0.05; spinningFriction 0.02; cohesion 0.05;");
+    const std::string properties = with(restingGrains, plain, plain + " rollingFriction 0.05; spinningFriction 0.02; cohesion 0.05;");
     std::vector<std::string> files = stateFiles;
     files.push_back("lagrangian/contacts/rolling");
     EXPECT_EQ(filesThatDiffer(properties, "", files), std::vector<std::string>());
@@ -355,7 +357,7 @@ TEST(Program, goesOnWhenAllGrainsHaveLeft)
     {
         const ProgramCase c(Files
         {
-            {"constant/grainProperties", restingGrains + "grains { velocity (0 0 30); } fluid " + fluid + ";"},
+            {"constant/grainProperties", with(restingGrains, "(0.3 0.1 -0.5)", "(0 0 30)") + "fluid " + fluid + ";"},
             {"constant/transportProperties", "transportModel Newtonian; nu 1e-5; rho 1;"}
         });
         EXPECT_TRUE(succeeds(c.run()));
