@@ -36,6 +36,7 @@ def drawGrains(axes, centers, diameters, values=None, **style):
     return grains
 
 
-def savePicture(figure, path="picture.png"):
+def savePicture(figure, path="drawing.png"):
+    """Beside picture.png, which README shows and git tracks: `cp drawing.png picture.png` renews that one."""
     figure.savefig(path, dpi=100, metadata={"Software": None})
     plt.close(figure)
