@@ -89,6 +89,33 @@ TEST(GeneralSlots, operatorsTellWhatAnImpulseDoesToTheVelocityInTheContact)
     EXPECT_GT(tested, 8);
 }
 
+TEST(GeneralSlots, armsLeadFromTheMassCenterToTheSurfacesThatTouch)
+{
+    const Scene scene = touchingClumps();
+    nscd::ContactList list = freeList(scene);
+    nscd::prepareGeneralSlots(list, deltaT, deadBand, nscd::unreachable, 1.0);
+    const std::vector<int> clumpOf = nscd::clumpOfGrains(scene.grains);
+    int arms[2] = {0, 0};
+    for (std::size_t slot : generalSlots(list))
+    {
+        const nscd::GeneralSlot& contact = list.general.slots[slot - list.general.firstBlock*nscd::blockLanes];
+        const auto [a, b] = bodiesOf(list, slot);
+        const Vec3 n = nscd::normal(list, slot);
+        const auto expectArm = [&](int side, int body, int owner, const Vec3& arm, const Vec3& toContact)
+        {
+            ASSERT_EQ(owner, body < list.owned() ? clumpOf[list.grainOf[body]] : -1);
+            if (owner < 0) return;
+            const Vec3 surface = list.position[body] + list.radius[body]*toContact;
+            EXPECT_LT((scene.grains.clumps.position[owner] + arm - surface).norm(), 1e-15) << slot;
+            ++arms[side];
+        };
+        expectArm(0, a, contact.ownerA, contact.armA, -n);
+        expectArm(1, b, contact.ownerB, contact.armB, n);
+    }
+    EXPECT_GT(arms[0], 0);
+    EXPECT_GT(arms[1], 0);
+}
+
 TEST(GeneralSlots, biasIsTheSpeedThatClosesAGapBeyondTheDeadBand)
 {
     nscd::ContactList list = freeList(touchingClumps());
