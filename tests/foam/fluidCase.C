@@ -186,7 +186,7 @@ void FluidCase::setVelocity(const VectorFunction& u)
     fluid();
     auto& U = mesh().lookupObjectRef<volVectorField>("U");
     setCells(U, u);
-    mesh().lookupObjectRef<surfaceScalarField>("phi") = fvc::flux(sources_.alpha*U);
+    mesh().lookupObjectRef<surfaceScalarField>("phi") = fvc::flux(sources_.fluidFraction*U);
 }
 
 

@@ -11,10 +11,10 @@ namespace Foam
 namespace nscdCoupling
 {
 
-CourantNumber courantNumber(const surfaceScalarField& phi, const volScalarField& alpha)
+CourantNumber courantNumber(const surfaceScalarField& phi, const volScalarField& fluidFraction)
 {
     const fvMesh& mesh = phi.mesh();
-    const scalarField outflow(0.5*fvc::surfaceSum(mag(phi))().primitiveField()/alpha.primitiveField());
+    const scalarField outflow(0.5*fvc::surfaceSum(mag(phi))().primitiveField()/fluidFraction.primitiveField());
     const scalar deltaT = mesh.time().deltaTValue();
     return CourantNumber
     {
@@ -26,15 +26,15 @@ CourantNumber courantNumber(const surfaceScalarField& phi, const volScalarField&
 
 FluidMomentum fluidMomentum
 (
-    const FluidFields& fields, const volScalarField& alpha, const FluidTurbulence& turbulence
+    const FluidFields& fields, const volScalarField& fluidFraction, const FluidTurbulence& turbulence
 )
 {
-    const fvMesh& mesh = alpha.mesh();
+    const fvMesh& mesh = fluidFraction.mesh();
     const scalar rho = turbulence.rho().value();
     const surfaceVectorField stress(turbulence.stressFlux(fields.U));
 
     FluidMomentum momentum;
-    momentum.inside = rho*sum(mesh.V().field()*alpha.primitiveField()*fields.U.primitiveField());
+    momentum.inside = rho*sum(mesh.V().field()*fluidFraction.primitiveField()*fields.U.primitiveField());
     forAll(mesh.boundary(), patchi)
     {
         if (mesh.boundary()[patchi].coupled()) continue;

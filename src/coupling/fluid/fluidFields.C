@@ -40,11 +40,11 @@ bool isStored(const fvMesh& mesh, const word& name)
 } // End anonymous namespace
 
 
-FluidFields::FluidFields(const fvMesh& mesh, const volScalarField& alpha)
+FluidFields::FluidFields(const fvMesh& mesh, const volScalarField& fluidFraction)
 :
     U(stored(mesh, "U", IOobject::MUST_READ), mesh),
     pRgh(stored(mesh, "p_rgh", IOobject::MUST_READ), mesh),
-    phi(stored(mesh, "phi", IOobject::READ_IF_PRESENT), (fillRankPatches(U), fvc::flux(alpha*U))),
+    phi(stored(mesh, "phi", IOobject::READ_IF_PRESENT), (fillRankPatches(U), fvc::flux(fluidFraction*U))),
     balancedGradient(zeroOrRead(mesh, "balancedGradient", dimPressure/dimLength)),
     divTau(zeroOrRead(mesh, "divTau", dimForce/dimVolume))
 {

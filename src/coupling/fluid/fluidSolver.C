@@ -46,8 +46,8 @@ FluidSolver::FluidSolver(fvMesh& mesh, GrainSources& sources, const dictionary& 
     mesh_(mesh),
     sources_(sources),
     pimple_(mesh),
-    fields_(mesh, sources.alpha),
-    turbulence_(sources.alpha, fields_.U, fields_.phi),
+    fields_(mesh, sources.fluidFraction),
+    turbulence_(sources.fluidFraction, fields_.U, fields_.phi),
     g_(readGravity(mesh)),
     hydrostatic_("hydrostatic", rho()*(g_ & mesh.C())),
     p_
@@ -98,7 +98,7 @@ void FluidSolver::solveWithGrains()
 
     while (pimple_.correct())
     {
-        pressure_.correctWithGrains(fields_, sources_.alpha, terms, borders, momentum(), rho());
+        pressure_.correctWithGrains(fields_, sources_.fluidFraction, terms, borders, momentum(), rho());
         options_.correct(fields_.U);
     }
 
@@ -137,13 +137,13 @@ void FluidSolver::updateAbsolutePressure()
 
 CourantNumber FluidSolver::courantNumber() const
 {
-    return nscdCoupling::courantNumber(fields_.phi, sources_.alpha);
+    return nscdCoupling::courantNumber(fields_.phi, sources_.fluidFraction);
 }
 
 
 FluidMomentum FluidSolver::momentum() const
 {
-    return fluidMomentum(fields_, sources_.alpha, turbulence_);
+    return fluidMomentum(fields_, sources_.fluidFraction, turbulence_);
 }
 
 } // End namespace nscdCoupling

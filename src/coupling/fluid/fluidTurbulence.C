@@ -19,15 +19,15 @@ namespace nscdCoupling
 
 FluidTurbulence::FluidTurbulence
 (
-    const volScalarField& alpha, const volVectorField& U, const surfaceScalarField& phi
+    const volScalarField& fluidFraction, const volVectorField& U, const surfaceScalarField& phi
 )
 :
-    alpha_(alpha),
+    fluidFraction_(fluidFraction),
     phi_(phi),
-    phiInterstitial_("phiInterstitial", phi/linearInterpolate(alpha)),
+    phiInterstitial_("phiInterstitial", phi/linearInterpolate(fluidFraction)),
     transport_(U, phi),
     rho_("rho", dimDensity, transport_),
-    model_(Model::New(alpha, U, phi, phiInterstitial_, transport_)),
+    model_(Model::New(fluidFraction, U, phi, phiInterstitial_, transport_)),
     isLaminar_(IOdictionary(model_()).get<word>("simulationType") == "laminar")
 {
     model_->validate();
@@ -67,7 +67,7 @@ void FluidTurbulence::correct()
 
 void FluidTurbulence::updateInterstitialFlux()
 {
-    phiInterstitial_ = phi_/linearInterpolate(alpha_);
+    phiInterstitial_ = phi_/linearInterpolate(fluidFraction_);
 }
 
 } // End namespace nscdCoupling

@@ -54,7 +54,7 @@ tmp<surfaceScalarField> fluxOf(const volVectorField& cells)
 
 tmp<volVectorField> explicitForce(const GrainSources& sources, const FluidFields& fields)
 {
-    tmp<volVectorField> force(sources.acceleration/sources.alpha);
+    tmp<volVectorField> force(sources.acceleration/sources.fluidFraction);
     if (fields.bodyAcceleration.valid()) force.ref() += fields.bodyAcceleration();
     return force;
 }
@@ -73,9 +73,9 @@ List<Border> bordersOf(const FluidFields& fields)
 
 ResponseTerms::ResponseTerms(const GrainSources& sources, const List<Border>& borders)
 :
-    chi("chi", 1 + sources.pressure/sources.alpha),
+    chi("chi", 1 + sources.pressure/sources.fluidFraction),
     chiFace("chiFace", linearInterpolate(chi)),
-    slip("slipFace", motionOnFaces(linearInterpolate(sources.slip/sources.alpha), borders)),
+    slip("slipFace", motionOnFaces(linearInterpolate(sources.slip/sources.fluidFraction), borders)),
     carried("carriedFlux", motionOnFaces(fluxOf(sources.carried), borders)),
     mobility("mobilityFace", motionOnFaces(linearInterpolate(sources.mobility), borders))
 {}
@@ -86,7 +86,7 @@ GrainFaceTerms::GrainFaceTerms
     const GrainSources& sources, const FluidFields& fields, const List<Border>& borders
 )
 :
-    resistance("resistance", sources.drag/sqr(sources.alpha)),
+    resistance("resistance", sources.drag/sqr(sources.fluidFraction)),
     resistanceFace("resistanceFace", forceOnFaces(linearInterpolate(resistance), borders)),
     force("explicitForce", explicitForce(sources, fields)),
     forceFlux("forceFlux", forceOnFaces(fluxOf(force), borders)),

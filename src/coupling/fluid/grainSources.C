@@ -35,7 +35,7 @@ GeometricField<Type, fvPatchField, volMesh> zeroField
 
 GrainSources::GrainSources(const fvMesh& mesh)
 :
-    alpha
+    fluidFraction
     (
         IOobject("alpha.fluid", mesh.time().timeName(), mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
         mesh,
@@ -49,19 +49,19 @@ GrainSources::GrainSources(const fvMesh& mesh)
     slip(zeroField<scalar>(mesh, "grainSlip", dimless)),
     mobility(zeroField<scalar>(mesh, "grainMobility", dimTime))
 {
-    fillRankPatches(alpha);
+    fillRankPatches(fluidFraction);
 }
 
 
 void GrainSources::beginStep()
 {
-    alpha.oldTime();
+    fluidFraction.oldTime();
 }
 
 
 void GrainSources::clear()
 {
-    alpha.primitiveFieldRef() = 1;
+    fluidFraction.primitiveFieldRef() = 1;
     for (volScalarField* field : {&drag, &pressure, &slip, &mobility}) field->primitiveFieldRef() = 0;
     acceleration.primitiveFieldRef() = Zero;
     carried.primitiveFieldRef() = Zero;
@@ -71,7 +71,7 @@ void GrainSources::clear()
 
 void GrainSources::correctBoundaryConditions()
 {
-    alpha.correctBoundaryConditions();
+    fluidFraction.correctBoundaryConditions();
     drag.correctBoundaryConditions();
     acceleration.correctBoundaryConditions();
     if (!hasResponse) return;

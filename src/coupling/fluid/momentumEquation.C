@@ -26,15 +26,15 @@ tmp<fvVectorMatrix> averagedMomentum
 )
 {
     volVectorField& U = fields.U;
-    const volScalarField& alpha = sources.alpha;
+    const volScalarField& fluidFraction = sources.fluidFraction;
 
     tmp<volScalarField> storage(fvc::div(convecting));
-    if (!sources.isStatic) storage.ref() += fvc::ddt(alpha);
+    if (!sources.isStatic) storage.ref() += fvc::ddt(fluidFraction);
 
     tmp<fvVectorMatrix> perFluidVolume(minusDivTau - options(U));
-    perFluidVolume.ref() *= alpha();
+    perFluidVolume.ref() *= fluidFraction();
 
-    return fvm::ddt(alpha, U) + fvm::div(convecting, U, "div(phi,U)") - fvm::Sp(storage, U) + perFluidVolume;
+    return fvm::ddt(fluidFraction, U) + fvm::div(convecting, U, "div(phi,U)") - fvm::Sp(storage, U) + perFluidVolume;
 }
 
 
@@ -59,16 +59,16 @@ void predictVelocity
     const dimensionedScalar& rho
 )
 {
-    const volScalarField& alpha = sources.alpha;
+    const volScalarField& fluidFraction = sources.fluidFraction;
     const volVectorField pressureForce("pressureForce", fields.balancedGradient/rho);
 
     fvVectorMatrix predictor
     (
         terms.response.valid()
-      ? momentum == alpha*(terms.force - terms.response->chi*pressureForce)
-      : momentum == alpha*(terms.force - pressureForce)
+      ? momentum == fluidFraction*(terms.force - terms.response->chi*pressureForce)
+      : momentum == fluidFraction*(terms.force - pressureForce)
     );
-    predictor.diag() += sources.drag.primitiveField()*alpha.mesh().V();
+    predictor.diag() += sources.drag.primitiveField()*fluidFraction.mesh().V();
     predictor.solve();
 }
 

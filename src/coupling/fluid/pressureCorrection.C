@@ -59,16 +59,16 @@ PressureCorrection::PressureCorrection
 FluxLaw PressureCorrection::fluidLaw
 (
     FluidFields& fields,
-    const volScalarField& alpha,
+    const volScalarField& fluidFraction,
     const volScalarField& rAU,
     const volVectorField& HbyA,
     const GrainFaceTerms& terms
 ) const
 {
-    surfaceScalarField flux(fluxOf(alpha*HbyA));
+    surfaceScalarField flux(fluxOf(fluidFraction*HbyA));
     if (fields.pRgh.needReference()) adjustPhi(flux, fields.U, fields.pRgh);
 
-    const surfaceScalarField ra(linearInterpolate(sqr(alpha)*rAU));
+    const surfaceScalarField ra(linearInterpolate(sqr(fluidFraction)*rAU));
     const surfaceScalarField damping(1/(1 + ra*terms.resistanceFace));
     FluxLaw law{(flux + ra*terms.forceFlux)*damping, ra*damping};
     if (terms.response.valid()) law.mobility *= terms.response->chiFace;
@@ -126,7 +126,7 @@ tmp<surfaceScalarField> PressureCorrection::balanceMixture
 void PressureCorrection::correctCells
 (
     FluidFields& fields,
-    const volScalarField& alpha,
+    const volScalarField& fluidFraction,
     const volScalarField& rAU,
     const volVectorField& HbyA,
     const GrainFaceTerms& terms,
@@ -140,7 +140,7 @@ void PressureCorrection::correctCells
 
     const volScalarField& r = terms.resistance;
     const volVectorField imbalance(reconstruct_(imbalanceFlux) + r*reconstruct_(fields.phi));
-    fields.U = (HbyA + alpha*rAU*imbalance)/(1 + sqr(alpha)*rAU*r);
+    fields.U = (HbyA + fluidFraction*rAU*imbalance)/(1 + sqr(fluidFraction)*rAU*r);
     fields.U.correctBoundaryConditions();
 
     fields.balancedGradient = rho*(terms.force - imbalance);
@@ -152,7 +152,7 @@ void PressureCorrection::correctCells
 void PressureCorrection::correctWithGrains
 (
     FluidFields& fields,
-    const volScalarField& alpha,
+    const volScalarField& fluidFraction,
     const GrainFaceTerms& terms,
     const List<Border>& borders,
     const fvVectorMatrix& momentum,
@@ -162,8 +162,8 @@ void PressureCorrection::correctWithGrains
     const volScalarField rAU("rAU", 1/momentum.A());
     const volVectorField HbyA(constrainHbyA(rAU*momentum.H(), fields.U, fields.pRgh));
 
-    const FluxLaw fluid(fluidLaw(fields, alpha, rAU, HbyA, terms));
-    constrainPressure(fields.pRgh, alpha, fields.U, fluid.free, (fluid.mobility/rho)());
+    const FluxLaw fluid(fluidLaw(fields, fluidFraction, rAU, HbyA, terms));
+    constrainPressure(fields.pRgh, fluidFraction, fields.U, fluid.free, (fluid.mobility/rho)());
 
     const surfaceScalarField gradientFlux
     (
@@ -172,7 +172,7 @@ void PressureCorrection::correctWithGrains
     fields.phi = fluid.free - fluid.mobility*gradientFlux;
     fields.pRgh.relax();
 
-    correctCells(fields, alpha, rAU, HbyA, terms, gradientFlux, rho);
+    correctCells(fields, fluidFraction, rAU, HbyA, terms, gradientFlux, rho);
 }
 
 

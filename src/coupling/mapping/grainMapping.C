@@ -221,7 +221,7 @@ const MappingReport& GrainMapping::update(const ::nscd::Grains& grains, const ::
     return report_;
 }
 
-void GrainMapping::voidFraction(volScalarField& fluidFraction) const
+void GrainMapping::setFluidFraction(volScalarField& fluidFraction) const
 {
     fluidFraction.primitiveFieldRef() = 1 - solidFraction_;
     fluidFraction.correctBoundaryConditions();

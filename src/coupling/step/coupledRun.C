@@ -51,8 +51,8 @@ void CoupledRun::sampleFluid()
 
 void CoupledRun::sampleAtGrains(unsigned wanted)
 {
-    const volScalarField* alpha = feedsBack() ? &immersion_->sources.alpha : nullptr;
-    nscdCoupling::sampleFluid(*immersion_->fluid, alpha, *immersion_->mapping, immersion_->atHome, wanted, step_.at);
+    const volScalarField* fluidFraction = feedsBack() ? &immersion_->sources.fluidFraction : nullptr;
+    nscdCoupling::sampleFluid(*immersion_->fluid, fluidFraction, *immersion_->mapping, immersion_->atHome, wanted, step_.at);
 }
 
 void CoupledRun::linearizeDrag()
@@ -223,7 +223,7 @@ void CoupledRun::updateWeightsAtHome()
 {
     if (homes_) bringHome();
     else immersion_->mapping->update(dynamics_->grains(), scene_.box);
-    if (feedsBack()) immersion_->mapping->voidFraction(immersion_->sources.alpha);
+    if (feedsBack()) immersion_->mapping->setFluidFraction(immersion_->sources.fluidFraction);
 }
 
 void CoupledRun::removeExited(const std::vector<label>& cells)

@@ -80,7 +80,7 @@ FluidSummary CoupledRun::describeFluid() const
     summary.predictorConverged = step_.predictorConverged;
     summary.pressureIterations = pressureIterations(mesh_);
     summary.continuityError = immersion_->fluid->continuityError().largest*time_.deltaTValue();
-    summary.fluidFractionMin = gMin(immersion_->sources.alpha.primitiveField());
+    summary.fluidFractionMin = gMin(immersion_->sources.fluidFraction.primitiveField());
     if (!immersion_->mapping) return summary;
     const MappingReport& mapped = immersion_->mapping->report();
     if (mapped.grainVolume > 0) summary.volumeError = mag(mapped.volumeDeposited - mapped.grainVolume)/mapped.grainVolume;

@@ -36,7 +36,7 @@ struct WantedFields
     tmp<volScalarField> nu;
     tmp<volVectorField> spin;
 
-    WantedFields(const FluidSolver& fluid, const volScalarField* alpha, unsigned wanted, FluidAtGrains& at)
+    WantedFields(const FluidSolver& fluid, const volScalarField* fluidFraction, unsigned wanted, FluidAtGrains& at)
     {
         vectors.push_back({fluid.U().primitiveField(), at.velocity});
         if (wanted & reads::pressureGradient) vectors.push_back({fluid.balancedPressureGradient().primitiveField(), at.pressureGradient});
@@ -51,7 +51,7 @@ struct WantedFields
             nu = fluid.nu();
             scalars.push_back({nu().primitiveField(), at.viscosity});
         }
-        if (wanted & reads::fluidFraction && alpha) scalars.push_back({alpha->primitiveField(), at.fluidFraction});
+        if (wanted & reads::fluidFraction && fluidFraction) scalars.push_back({fluidFraction->primitiveField(), at.fluidFraction});
     }
 };
 
@@ -59,11 +59,11 @@ struct WantedFields
 
 void sampleFluid
 (
-    const FluidSolver& fluid, const volScalarField* alpha, const GrainMapping& mapping, const GrainsAtHome& atHome,
+    const FluidSolver& fluid, const volScalarField* fluidFraction, const GrainMapping& mapping, const GrainsAtHome& atHome,
     unsigned wanted, FluidAtGrains& at
 )
 {
-    const WantedFields fields(fluid, alpha, wanted, at);
+    const WantedFields fields(fluid, fluidFraction, wanted, at);
     mapping.sample(fields.scalars, fields.vectors);
 
     GrainValues sampled;
@@ -71,7 +71,7 @@ void sampleFluid
     for (const VectorSample& field : fields.vectors) sampled.vectors.push_back(&field.grains);
     atHome.toOwners(sampled);
     keepInPlane(at, emptyAxis(fluid.U().mesh()));
-    if (wanted & reads::fluidFraction && !alpha) at.fluidFraction.assign(at.velocity.size(), 1.0);
+    if (wanted & reads::fluidFraction && !fluidFraction) at.fluidFraction.assign(at.velocity.size(), 1.0);
     if (!(wanted & reads::viscosity)) return;
     for (scalar& viscosity : at.viscosity) viscosity *= fluid.rho().value();
 }

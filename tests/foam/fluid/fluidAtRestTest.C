@@ -19,7 +19,7 @@ using namespace Foam::nscdCoupling::testing;
 struct StillWater
 {
     const char* name;
-    PointFunction alpha;
+    PointFunction fluidFraction;
     scalar drag = 0;
     scalar tilt = 0;
     bool isDisturbed = false;
@@ -62,7 +62,7 @@ FluidCaseSettings boxOfWater(const StillWater& water)
 void letGrainsAnswer(GrainSources& sources, const scalar deltaT)
 {
     sources.hasResponse = true;
-    const scalarField solid(1 - sources.alpha.primitiveField());
+    const scalarField solid(1 - sources.fluidFraction.primitiveField());
     sources.slip.primitiveFieldRef() = solid*10/11.;
     sources.mobility.primitiveFieldRef() = solid*deltaT/(2.5*11);
     sources.pressure.primitiveFieldRef() = sources.drag.primitiveField()*deltaT/11;
@@ -80,9 +80,9 @@ void expectStillWater(const StillWater& water)
 {
     const FluidCaseSettings settings = boxOfWater(water);
     FluidCase stillCase(settings);
-    setCells(stillCase.sources().alpha, water.alpha);
-    const volScalarField& alpha = stillCase.sources().alpha;
-    stillCase.sources().drag.primitiveFieldRef() = water.drag*(1 - alpha.primitiveField());
+    setCells(stillCase.sources().fluidFraction, water.fluidFraction);
+    const volScalarField& fluidFraction = stillCase.sources().fluidFraction;
+    stillCase.sources().drag.primitiveFieldRef() = water.drag*(1 - fluidFraction.primitiveField());
     if (water.canMove) letGrainsAnswer(stillCase.sources(), settings.box.deltaT);
 
     FluidSolver& fluid = stillCase.fluid();

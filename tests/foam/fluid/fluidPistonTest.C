@@ -105,7 +105,7 @@ private:
         GrainSources& sources = tube_.sources();
         const vector v(speed, 0, 0);
         sources.hasResponse = true;
-        setCells(sources.alpha, [&](const point& x) { return 1 - solidFraction(x); });
+        setCells(sources.fluidFraction, [&](const point& x) { return 1 - solidFraction(x); });
         setCells(sources.carried, [&](const point& x) { return solidFraction(x)*v; });
         setCells(sources.drag, [&](const point& x) { return drag_*solidFraction(x); });
         setCells(sources.acceleration, [&](const point& x) { return drag_*solidFraction(x)*v; });

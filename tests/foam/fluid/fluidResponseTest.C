@@ -16,7 +16,7 @@ using namespace Foam::nscdCoupling::testing;
 const scalar meanFlow = 0.05, rho = 1000;
 
 /// Uniform sources along x; see GrainSources.
-struct Response { scalar alpha, drag, acceleration, pressure, carried, slip, mobility; };
+struct Response { scalar fluidFraction, drag, acceleration, pressure, carried, slip, mobility; };
 
 const Response dense{0.4, 300, 2, 0.3, 0.01, 0.35, 5e-4}, dilute{0.9, 50, -0.5, 0.1, -0.005, 0.05, 2e-4};
 
@@ -27,8 +27,8 @@ struct State { scalar u, gradient; };
 //   (alpha + S) u + A - Y G = meanFlow
 State solved(const Response& r, const scalar inertia, const scalar start)
 {
-    const scalar a = inertia + r.drag, b = r.alpha + r.pressure, right = inertia*start + r.acceleration;
-    const scalar c = r.alpha + r.slip, d = -r.mobility, flow = meanFlow - r.carried;
+    const scalar a = inertia + r.drag, b = r.fluidFraction + r.pressure, right = inertia*start + r.acceleration;
+    const scalar c = r.fluidFraction + r.slip, d = -r.mobility, flow = meanFlow - r.carried;
     const scalar determinant = a*d - b*c;
     return {(right*d - b*flow)/determinant, rho*(a*flow - c*right)/determinant};
 }
@@ -37,7 +37,7 @@ template<class Choice>
 void setSources(GrainSources& sources, const Choice& at)
 {
     sources.hasResponse = true;
-    setCells(sources.alpha, [&](const point& x) { return at(x).alpha; });
+    setCells(sources.fluidFraction, [&](const point& x) { return at(x).fluidFraction; });
     setCells(sources.drag, [&](const point& x) { return at(x).drag; });
     setCells(sources.acceleration, [&](const point& x) { return vector(at(x).acceleration, 0, 0); });
     setCells(sources.pressure, [&](const point& x) { return at(x).pressure; });
@@ -76,7 +76,7 @@ TEST(fluidResponse, uniformSuspensionFollowsItsTwoEquations)
         for (label i = 0; i < 5; ++i)
         {
             tube.step();
-            state = solved(response, response.alpha/0.02, state.u);
+            state = solved(response, response.fluidFraction/0.02, state.u);
             expectState(tube, 2, state, 1e-9);
             EXPECT_NEAR(tube.fluid().meanFlowGradient().x()/state.gradient, 1, 1e-9);
         }
@@ -93,7 +93,7 @@ TEST(fluidResponse, clearedSourcesAreNoGrains)
     const scalar start = tube.fluid().U()[2].x();
     tube.step([&] { tube.sources().clear(); });
     EXPECT_NEAR(tube.fluid().U()[2].x(), meanFlow, 1e-12);
-    EXPECT_NEAR(tube.fluid().balancedPressureGradient()[2].x()/(-rho*dense.alpha*(meanFlow - start)/0.02), 1, 1e-9);
+    EXPECT_NEAR(tube.fluid().balancedPressureGradient()[2].x()/(-rho*dense.fluidFraction*(meanFlow - start)/0.02), 1, 1e-9);
     tube.step();
     EXPECT_NEAR(tube.fluid().balancedPressureGradient()[2].x(), 0, 1e-6);
 }

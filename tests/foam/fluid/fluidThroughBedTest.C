@@ -46,7 +46,7 @@ ContractionErrors contractionErrors(const label n, const char* convection)
     FluidCase contraction(settings);
     contraction.setMeanFlow(vector(U, 0, 0));
     const auto fraction = [](const point& x) { return 0.7 + 0.3*std::cos(2*pi*x.x()); };
-    setCells(contraction.sources().alpha, fraction);
+    setCells(contraction.sources().fluidFraction, fraction);
     contraction.steps(4*n);
 
     const volScalarField& p = contraction.fluid().pRgh();
@@ -87,7 +87,7 @@ SlabResult slab(const label n, const scalar stiffness)
     settings.borderP[1] = "type fixedValue; value uniform 0;";
     FluidCase slabCase(settings);
     const auto isBed = [](const point& x) { return mag(x.x() - 0.5) < 1./6; };
-    setCells(slabCase.sources().alpha, [&](const point& x) { return isBed(x) ? alphaBed : 1; });
+    setCells(slabCase.sources().fluidFraction, [&](const point& x) { return isBed(x) ? alphaBed : 1; });
     setCells(slabCase.sources().drag, [&](const point& x) { return isBed(x) ? D : 0; });
     slabCase.steps(10*n);
 
@@ -96,11 +96,11 @@ SlabResult slab(const label n, const scalar stiffness)
     SlabResult result{fluid.pRgh()[0]/exact, 0, 0};
     forAll(fluid.U(), i)
     {
-        const scalar alpha = slabCase.sources().alpha[i];
+        const scalar fluidFraction = slabCase.sources().fluidFraction[i];
         const scalar drag = 1000*slabCase.sources().drag[i]*fluid.U()[i].x();
-        const scalar pressureForce = -(1 - alpha)*fluid.balancedPressureGradient()[i].x();
+        const scalar pressureForce = -(1 - fluidFraction)*fluid.balancedPressureGradient()[i].x();
         result.grainForce += slabCase.mesh().V()[i]*(drag + pressureForce)/(exact*area);
-        result.overshoot = max(result.overshoot, mag(alpha*fluid.U()[i].x()/U - 1));
+        result.overshoot = max(result.overshoot, mag(fluidFraction*fluid.U()[i].x()/U - 1));
     }
     return result;
 }
@@ -120,7 +120,7 @@ TEST(fluidThroughBed, slabHasItsDragLawsPressureDropAndWeight)
 }
 
 // A channel -h < y < h, periodic along x, driven by a force per fluid mass G/rho with drag beta u per volume.
-std::unique_ptr<FluidCase> channel(const label cellsPerHalf, const scalar alpha, const scalar beta, const scalar drive)
+std::unique_ptr<FluidCase> channel(const label cellsPerHalf, const scalar fluidFraction, const scalar beta, const scalar drive)
 {
     const scalar h = 0.01;
     FluidCaseSettings settings = planeCase(1, 2*cellsPerHalf, h/cellsPerHalf, 2*h);
@@ -132,7 +132,7 @@ std::unique_ptr<FluidCase> channel(const label cellsPerHalf, const scalar alpha,
     settings.box.deltaT = 10;
     settings.pimple = "nOuterCorrectors 1; nCorrectors 3; momentumPredictor yes; pRefCell 0; pRefValue 0;";
     std::unique_ptr<FluidCase> flow(new FluidCase(settings));
-    setCells(flow->sources().alpha, [=](const point&) { return alpha; });
+    setCells(flow->sources().fluidFraction, [=](const point&) { return fluidFraction; });
     setCells(flow->sources().drag, [=](const point&) { return beta; });
     setCells(flow->fluid().bodyAcceleration(), [=](const point&) { return vector(drive, 0, 0); });
     flow->steps(60);
@@ -141,11 +141,11 @@ std::unique_ptr<FluidCase> channel(const label cellsPerHalf, const scalar alpha,
 
 scalar brinkmanError(const label cellsPerHalf, const scalar beta)
 {
-    const scalar alpha = 0.5, mu = 1e-3, h = 0.01, l = std::sqrt(alpha*mu/beta);
-    const auto flow = channel(cellsPerHalf, alpha, beta, 1);
+    const scalar fluidFraction = 0.5, mu = 1e-3, h = 0.01, l = std::sqrt(fluidFraction*mu/beta);
+    const auto flow = channel(cellsPerHalf, fluidFraction, beta, 1);
     const auto exact = [=](const point& x)
     {
-        return vector(alpha/beta*(1 - std::cosh(x.y()/l)/std::cosh(h/l)), 0, 0);
+        return vector(fluidFraction/beta*(1 - std::cosh(x.y()/l)/std::cosh(h/l)), 0, 0);
     };
     return l2Error(flow->fluid().U(), exact)/mag(exact(point(0, 0, 0)));
 }
@@ -183,7 +183,7 @@ TEST(fluidThroughBed, meanFlowIsHeldThroughUnevenDrag)
     layers.setMeanFlow(vector(U, 0, 0));
     const auto fraction = [](const point& x) { return x.x() < 0.5 ? 0.4 : 0.9; };
     const auto drag = [](const point& x) { return x.x() < 0.5 ? 1e4 : 1.; };
-    setCells(layers.sources().alpha, fraction);
+    setCells(layers.sources().fluidFraction, fraction);
     setCells(layers.sources().drag, drag);
     layers.steps(3);
 
@@ -211,7 +211,7 @@ vector forceOnGrains(FluidCase& bed)
     vector force = Zero;
     forAll(fluid.U(), i)
     {
-        const scalar solids = 1 - bed.sources().alpha[i];
+        const scalar solids = 1 - bed.sources().fluidFraction[i];
         const vector drag = fluid.rho().value()*bed.sources().drag[i]*fluid.U()[i];
         force += bed.mesh().V()[i]*(drag + solids*(divTau[i] - fluid.balancedPressureGradient()[i]));
     }
@@ -227,7 +227,7 @@ TEST(fluidThroughBed, forcesOnFluidAndGrainsBalance)
     settings.pimple = "nOuterCorrectors 1; nCorrectors 40; momentumPredictor yes; pRefCell 0; pRefValue 0;";
     FluidCase bed(settings);
     const auto wave = [](const point& x) { return std::cos(2*pi*x.x())*std::cos(4*pi*x.y()); };
-    setCells(bed.sources().alpha, [&](const point& x) { return 0.65 + 0.3*wave(x); });
+    setCells(bed.sources().fluidFraction, [&](const point& x) { return 0.65 + 0.3*wave(x); });
     setCells(bed.sources().drag, [&](const point& x) { return 40*(1 + wave(x)); });
     const vector drive(0.3, 0.2, 0);
     setCells(bed.fluid().bodyAcceleration(), [=](const point&) { return drive; });
@@ -236,7 +236,7 @@ TEST(fluidThroughBed, forcesOnFluidAndGrainsBalance)
     const vector before = bed.fluid().momentum().inside;
     bed.step();
     const vector gained = (bed.fluid().momentum().inside - before)/bed.time().deltaTValue();
-    const scalar fluidMass = 1000*gSum((bed.mesh().V()*bed.sources().alpha.primitiveField())());
+    const scalar fluidMass = 1000*gSum((bed.mesh().V()*bed.sources().fluidFraction.primitiveField())());
     const vector driven = fluidMass*drive, onGrains = forceOnGrains(bed);
     std::cout << "force balance: " << mag(driven - gained - onGrains)/mag(driven) << ", gained/driven "
         << mag(gained)/mag(driven) << '\n';

@@ -27,7 +27,7 @@ std::string turbulentField(const char* dimensions, const char* value)
 }
 
 // A shear flow that enters a channel at 1 to 3 m/s.
-std::unique_ptr<FluidCase> shearFlow(const char* model, const PointFunction& alpha, const scalar drag)
+std::unique_ptr<FluidCase> shearFlow(const char* model, const PointFunction& fluidFraction, const scalar drag)
 {
     FluidCaseSettings settings = planeCase(24, 12, 0.2, 0.1);
     settings.box.patchTypes[0] = settings.box.patchTypes[1] = "patch";
@@ -43,8 +43,8 @@ std::unique_ptr<FluidCase> shearFlow(const char* model, const PointFunction& alp
     flow->box().writeFile("0/k", turbulentField("[0 2 -2 0 0 0 0]", "0.05"));
     flow->box().writeFile("0/epsilon", turbulentField("[0 2 -3 0 0 0 0]", "0.5"));
     flow->box().writeFile("0/nut", turbulentField("[0 2 -1 0 0 0 0]", "0"));
-    setCells(flow->sources().alpha, alpha);
-    setCells(flow->sources().drag, [&](const point& x) { return drag*(1 - alpha(x)); });
+    setCells(flow->sources().fluidFraction, fluidFraction);
+    setCells(flow->sources().drag, [&](const point& x) { return drag*(1 - fluidFraction(x)); });
     flow->setVelocity([](const point& x) { return vector(1 + 20*x.y(), 0, 0); });
     flow->steps(60);
     return flow;

@@ -98,9 +98,9 @@ struct Mapped
     )
     {
         report = mapping.update(grains, {});
-        volScalarField epsilon(IOobject("alpha", mesh.time().timeName(), mesh), mesh, dimensionedScalar("one", dimless, 1));
-        mapping.voidFraction(epsilon);
-        solid = 1 - epsilon.primitiveField();
+        volScalarField fluidFraction(IOobject("alpha", mesh.time().timeName(), mesh), mesh, dimensionedScalar("one", dimless, 1));
+        mapping.setFluidFraction(fluidFraction);
+        solid = 1 - fluidFraction.primitiveField();
         mapping.spread({{masses, mass}}, {{forces, force}});
         mapping.sample({{pressures, pressure}}, {{velocities, velocity}});
     }

@@ -52,9 +52,9 @@ struct LinearFlow
         mapping->update(grains, ::nscd::PeriodicBox());
     }
 
-    void sample(unsigned wanted, const volScalarField* alpha = nullptr)
+    void sample(unsigned wanted, const volScalarField* fluidFraction = nullptr)
     {
-        sampleFluid(box.fluid(), alpha, *mapping, GrainsAtHome(), wanted, at);
+        sampleFluid(box.fluid(), fluidFraction, *mapping, GrainsAtHome(), wanted, at);
     }
 };
 
@@ -89,15 +89,15 @@ TEST(FluidAtGrains, onlyWhatIsWantedIsSampled)
 TEST(FluidAtGrains, whatIsNotSampledAgainStaysAsItIs)
 {
     LinearFlow flow;
-    setCells(flow.box.sources().alpha, [](const point& x) { return 0.1*x.x(); });
-    flow.sample(reads::viscosity | reads::fluidFraction, &flow.box.sources().alpha);
+    setCells(flow.box.sources().fluidFraction, [](const point& x) { return 0.1*x.x(); });
+    flow.sample(reads::viscosity | reads::fluidFraction, &flow.box.sources().fluidFraction);
     const FluidAtGrains before = flow.at;
     for (std::size_t i = 0; i < flow.grains.size(); ++i)
     {
         EXPECT_NEAR(flow.at.viscosity[i], 900*2e-6, 1e-15);
         EXPECT_NEAR(flow.at.fluidFraction[i], 0.1*flow.box.mesh().C()[flow.mapping->cells()[i]].x(), 1e-14);
     }
-    flow.sample(reads::spin, &flow.box.sources().alpha);
+    flow.sample(reads::spin, &flow.box.sources().fluidFraction);
     EXPECT_EQ(flow.at.viscosity, before.viscosity);
     EXPECT_EQ(flow.at.fluidFraction, before.fluidFraction);
     flow.sample(reads::fluidFraction);

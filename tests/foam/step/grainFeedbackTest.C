@@ -38,7 +38,7 @@ struct Feedback
     {
         mapping = std::make_unique<GrainMapping>(box.mesh(), mappingDict("exact"), 0.25);
         mapping->update(grains, ::nscd::PeriodicBox());
-        mapping->voidFraction(box.sources().alpha);
+        mapping->setFluidFraction(box.sources().fluidFraction);
         box.sources().hasResponse = true;
         const vectorField u = randomVectors(box.mesh().nCells(), 5), gradient = randomVectors(box.mesh().nCells(), 8);
         box.fluid();

@@ -124,8 +124,8 @@ private:
     {
         for (label side = 0; side < 4; ++side)
         {
-            const fvPatch& patch = sources.alpha.mesh().boundary()[side];
-            sources.alpha.boundaryFieldRef().set(side, new fixedValueFvPatchScalarField(patch, sources.alpha));
+            const fvPatch& patch = sources.fluidFraction.mesh().boundary()[side];
+            sources.fluidFraction.boundaryFieldRef().set(side, new fixedValueFvPatchScalarField(patch, sources.fluidFraction));
             sources.acceleration.boundaryFieldRef().set
             (
                 side, new fixedValueFvPatchVectorField(patch, sources.acceleration)
@@ -141,12 +141,12 @@ private:
     vector velocity(const point& x) const
     {
         const ManufacturedPoint m = at(x);
-        return vector(m.U[0], m.U[1], 0)/m.alpha;
+        return vector(m.U[0], m.U[1], 0)/m.fluidFraction;
     }
 
     void setFraction()
     {
-        setCells(flow_.sources().alpha, [this](const point& x) { return at(x).alpha; });
+        setCells(flow_.sources().fluidFraction, [this](const point& x) { return at(x).fluidFraction; });
     }
 
     void setSources()
@@ -169,7 +169,7 @@ private:
 
         // The wave of grains moves at 1/2 along x; drag towards them is in the source.
         sources.hasResponse = true;
-        setCells(sources.carried, [this](const point& x) { return vector(0.5*(1 - at(x).alpha), 0, 0); });
+        setCells(sources.carried, [this](const point& x) { return vector(0.5*(1 - at(x).fluidFraction), 0, 0); });
     }
 
     const Manufactured solution_;

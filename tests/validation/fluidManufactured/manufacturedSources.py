@@ -86,8 +86,8 @@ HEAD = """// SPDX-License-Identifier: GPL-3.0-or-later
 
 struct ManufacturedFluid { double rho, mu, beta; };
 
-/// alpha [-], superficial velocity, pressure, and the source per volume for stress forms S and D.
-struct ManufacturedPoint { double alpha, U[2], p, sourceS[2], sourceD[2]; };
+/// Fluid fraction, superficial velocity, pressure, and the source per volume for stress forms S and D.
+struct ManufacturedPoint { double fluidFraction, U[2], p, sourceS[2], sourceD[2]; };
 """
 
 

@@ -32,8 +32,8 @@ public:
     /// Writes alpha too: to be called between beginStep() and the solve.
     void write(GrainSources& sources) const
     {
-        const scalarField w(weights(sources.alpha.mesh()));
-        sources.alpha.primitiveFieldRef() = 1 - value("solids")*w;
+        const scalarField w(weights(sources.fluidFraction.mesh()));
+        sources.fluidFraction.primitiveFieldRef() = 1 - value("solids")*w;
         sources.drag.primitiveFieldRef() = value("drag")*w;
         sources.acceleration.primitiveFieldRef() = w*vectorOf("acceleration");
         sources.pressure.primitiveFieldRef() = value("pressure")*w;

@@ -182,7 +182,7 @@ TEST(PartialSleep, aRollerOnASleepingBedKeepsItsWayAndSinksNowhere)
 }
 
 /// A ball that bounces on a pile: its impacts reach the floor's force, whatever sleeps.
-TEST(PartialSleep, blowsOnSleepersReachTheWalls)
+TEST(PartialSleep, impactsOnSleepingGrainsReachTheWalls)
 {
     Pile bed({0.4, 0.6});
     bed.scene.addGrain(bed.scene.grains.position[bed.top()] + Vec3(0, 0, 0.08), radius);
