@@ -291,9 +291,6 @@ std::vector<std::string> filesThatDiffer
     return different;
 }
 
-/// A text with one part of it replaced.
-std::string with(std::string text, const std::string& part, const std::string& other) { return text.replace(text.find(part), part.size(), other); }
-
 const std::string restingGrains =
     "materials { glass { density 2500; } } contacts { default { friction 0.3; restitution 0.4; } }"
     "grains { type lattice; box (0 0 0) (0.1 0.1 0.06); count (5 5 3); diameter 0.0199; spread 0.003; jitter 0.8; "

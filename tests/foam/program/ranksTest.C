@@ -160,7 +160,11 @@ TEST(Ranks, numberTheWallsAsOneRankDoes)
     // Two of the sides are slanted, one is bent, and cuts run through all of them.
     BoxMeshSettings box = programBox();
     box.movePoint = [](const point& x) { return point(x.x() + 0.2*x.z(), x.y() - 0.1*std::abs(x.x() - 0.05), x.z()); };
-    const Files files = dryFiles(heap + closed + "grains { box (0.02 0 0.01) (0.1 0.094 0.09); diameter 0.0195; velocity (0.8 0.6 -0.4); }");
+    const Files files = dryFiles
+    (
+        glass + closed + "grains { type lattice; box (0.02 0 0.01) (0.1 0.094 0.09); count (4 4 4); diameter 0.0195; spread 0.04; jitter 0.7; "
+        "velocity (0.8 0.6 -0.4); }"
+    );
     const std::string control = "endTime 0.02; deltaT 2e-3; writeInterval 10;";
     const ProgramCase alone(files, control, box), together(files, control, box);
     const ProgramRun serial = alone.run();
@@ -228,7 +232,7 @@ TEST(Ranks, shareDiscs)
 TEST(Ranks, takeOutGrainsThatLeaveAndGoOnWithoutAny)
 {
     // Fast enough to shorten the step, on all ranks alike.
-    const Files files = dryFiles(heap + closed + "grains { velocity (0 0 20); } timeStep { maxGrainDisplacement 0.5; }");
+    const Files files = dryFiles(with(heap, "(0.1 0.05 -0.5)", "(0 0 20)") + closed + "timeStep { maxGrainDisplacement 0.5; }");
     const std::string control = "adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 0.01;";
     const ProgramCase alone(files, control), together(files, control);
     EXPECT_TRUE(succeeds(alone.run()));
@@ -330,9 +334,10 @@ TEST(Ranks, moveGrainsInAFluidAsOneRankDoes)
 
 TEST(Ranks, liftGrainsAsOneRankDoes)
 {
-    const Files files{{"constant/grainProperties", wetHeap + closed + "grains { omega (40 -30 20); } forces { saffmanLift on; magnusLift on; }"}};
+    const std::string spinning = with(wetHeap, "jitter 0.7;", "jitter 0.7; omega (40 -30 20);") + closed;
+    const Files files{{"constant/grainProperties", spinning + "forces { saffmanLift on; magnusLift on; }"}};
     const std::string control = "writeFormat binary; endTime 0.012; writeInterval 12;";
-    const ProgramCase alone(files, control), without(Files{{"constant/grainProperties", wetHeap + closed + "grains { omega (40 -30 20); }"}}, control);
+    const ProgramCase alone(files, control), without(Files{{"constant/grainProperties", spinning}}, control);
     EXPECT_TRUE(succeeds(alone.run()));
     EXPECT_TRUE(succeeds(without.run()));
     // The lift moves the heap by ten times what ranks may differ by.
