@@ -37,6 +37,15 @@ FluxLaw mixtureLaw(const FluxLaw& fluid, const ResponseTerms& grains)
     };
 }
 
+/// PIMPLE's entries with a reference of the pressure for cases that name none: 0 Pa in the first cell.
+dictionary withReference(const dictionary& pimple, const word& p)
+{
+    dictionary dict(pimple);
+    if (!dict.found(p + "RefPoint")) dict.add(p + "RefCell", label(0));
+    dict.add(p + "RefValue", scalar(0));
+    return dict;
+}
+
 } // End anonymous namespace
 
 
@@ -51,7 +60,7 @@ PressureCorrection::PressureCorrection
     reconstruct_(mesh),
     meanFlow_(mesh, meanFlowDict)
 {
-    setRefCell(p, pRgh, pimple.dict(), refCell_, refValue_);
+    setRefCell(p, pRgh, withReference(pimple.dict(), p.name()), refCell_, refValue_);
 }
 
 

@@ -9,6 +9,7 @@
 #include "coupling/case/log/grainTotals.H"
 #include "coupling/case/log/sceneLog.H"
 #include "coupling/case/start/numericsCheck.H"
+#include "coupling/case/start/unsupportedFiles.H"
 #include "coupling/case/start/parallelRefusal.H"
 #include "nscd/contacts/contactLaw.hpp"
 
@@ -55,6 +56,7 @@ GrainProperties readRunnable(const Time& time, const polyMesh& mesh)
 {
     refuseCollatedFiles();
     checkMeshParts(mesh);
+    refuseUnsupportedFiles(time);
     return readGrainProperties(time, surroundingsIn(mesh));
 }
 

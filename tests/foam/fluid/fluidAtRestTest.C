@@ -105,6 +105,22 @@ void expectStillWater(const StillWater& water)
     }
 }
 
+TEST(fluidAtRest, theReferenceOfThePressureHasADefault)
+{
+    const auto pressureWith = [](const std::string& reference)
+    {
+        FluidCaseSettings settings = planeCase(2, 4, 0.1, 0.2);
+        settings.gravity = vector(0, -9.81, 0);
+        settings.pimple = "nOuterCorrectors 1; nCorrectors 2; momentumPredictor yes; " + reference;
+        FluidCase closed(settings);
+        closed.step();
+        return scalarField(closed.mesh().lookupObject<volScalarField>("p"));
+    };
+    EXPECT_EQ(pressureWith(""), pressureWith("pRefCell 0; pRefValue 0;"));
+    const scalarField raised(pressureWith("pRefPoint (0.001 0.001 0.0001); pRefValue 5;") - pressureWith("pRefValue 0;"));
+    for (const scalar difference : raised) EXPECT_NEAR(difference, 5, 1e-9);
+}
+
 TEST(fluidAtRest, staysAtRestOverJumpsOfTheFluidFraction)
 {
     const scalar tilt = 17*constant::mathematical::pi/180;

@@ -28,6 +28,9 @@ const std::string grains =
     return holds(run.log, pieces);
 }
 
+/// A text with one part of it replaced.
+std::string with(std::string text, const std::string& part, const std::string& other) { return text.replace(text.find(part), part.size(), other); }
+
 ::testing::AssertionResult isRefusedWith
 (
     const std::string& file, const std::string& contents, const std::vector<std::string>& pieces
@@ -78,6 +81,21 @@ TEST(Program, stopsAtFluidPropertiesThatMakeNoSense)
     EXPECT_TRUE(isRefusedWith("0/p_rgh",
         "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0; boundaryField { \".*\" { type zeroGradient; } }",
         {"0/p_rgh", "line 2", "[0 2 -2 0 0 0 0]", "[1 -1 -2 0 0 0 0]", "Pa"}));
+}
+
+TEST(Program, stopsAtFilesOfOpenFOAMThatItWouldIgnore)
+{
+    const std::string source = "\nheat { type scalarSemiImplicitSource; active %; }", zone = "\nrotor { cellZone rotor; }";
+    EXPECT_TRUE(isRefusedWith("constant/fvOptions", with(source, "%", "yes"), {"constant/fvOptions", "line 2", "heat", "active no"}));
+    EXPECT_TRUE(isRefusedWith("system/fvOptions", with(source, "active %;", ""), {"system/fvOptions", "heat"}));
+    EXPECT_TRUE(isRefusedWith("constant/MRFProperties", zone, {"constant/MRFProperties", "rotor", "rotating frame"}));
+    EXPECT_TRUE(isRefusedWith("constant/dynamicMeshDict", "dynamicFvMesh dynamicMotionSolverFvMesh;",
+        {"constant/dynamicMeshDict", "dynamicMotionSolverFvMesh", "staticFvMesh"}));
+    const ProgramCase harmless(Files
+    {
+        {"constant/fvOptions", with(source, "%", "no")}, {"constant/MRFProperties", "\n"}, {"constant/dynamicMeshDict", "dynamicFvMesh staticFvMesh;"}
+    });
+    EXPECT_TRUE(succeeds(harmless.run()));
 }
 
 TEST(Program, stopsAtTimeControlsThatAreNotPositive)

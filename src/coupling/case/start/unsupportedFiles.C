@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Looking for them.
+#include "coupling/case/input/inputError.H"
+#include "coupling/case/start/unsupportedFiles.H"
+
+#include "IOdictionary.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+/// A dictionary in a file that need not be there; empty where it is not.
+IOdictionary readIfPresent(const Time& time, const fileName& folder, const word& name)
+{
+    return IOdictionary(IOobject(name, folder, time, IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
+}
+
+/// Options and zones of OpenFOAM are dictionaries that may be switched off.
+void refuseActive(const IOdictionary& dict, const string& what)
+{
+    for (const entry& part : dict)
+    {
+        if (!part.isDict() || !part.dict().getOrDefault("active", true)) continue;
+        fail({placeOf(dict, part.keyword()), "asks for " + what + ", which nscdDEMFoam does not have", "", "no such file, or active no;"});
+    }
+}
+
+void refuseMovingMesh(const IOdictionary& dict)
+{
+    const word keyword = "dynamicFvMesh", still = "staticFvMesh", type = dict.getOrDefault<word>(keyword, still);
+    if (type == still) return;
+    fail({placeOf(dict, keyword), "moves the mesh, which nscdDEMFoam does not", type, still + ", or no such file"});
+}
+
+} // namespace
+
+
+void refuseUnsupportedFiles(const Time& time)
+{
+    for (const fileName& folder : {time.constant(), time.system()})
+    {
+        refuseActive(readIfPresent(time, folder, "fvOptions"), "a source in the fluid's equations");
+        refuseActive(readIfPresent(time, folder, "MRFProperties"), "a rotating frame of reference");
+    }
+    refuseMovingMesh(readIfPresent(time, time.constant(), "dynamicMeshDict"));
+}
+
+} // namespace nscdCoupling
+} // namespace Foam
