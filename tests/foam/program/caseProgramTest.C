@@ -28,9 +28,6 @@ const std::string grains =
     return holds(run.log, pieces);
 }
 
-/// A text with one part of it replaced.
-std::string with(std::string text, const std::string& part, const std::string& other) { return text.replace(text.find(part), part.size(), other); }
-
 ::testing::AssertionResult isRefusedWith
 (
     const std::string& file, const std::string& contents, const std::vector<std::string>& pieces
