@@ -41,8 +41,8 @@ FluxLaw mixtureLaw(const FluxLaw& fluid, const ResponseTerms& grains)
 dictionary withReference(const dictionary& pimple, const word& p)
 {
     dictionary dict(pimple);
-    if (!dict.found(p + "RefPoint")) dict.add(p + "RefCell", label(0));
-    dict.add(p + "RefValue", scalar(0));
+    if (!dict.found(p + "RefPoint")) dict.add(word(p + "RefCell"), label(0));
+    dict.add(word(p + "RefValue"), scalar(0));
     return dict;
 }
 
