@@ -43,7 +43,7 @@ void refuseMovingMesh(const IOdictionary& dict)
 
 void refuseUnsupportedFiles(const Time& time)
 {
-    for (const fileName& folder : {time.constant(), time.system()})
+    for (const word& folder : {time.constant(), time.system()})
     {
         refuseActive(readIfPresent(time, folder, "fvOptions"), "a source in the fluid's equations");
         refuseActive(readIfPresent(time, folder, "MRFProperties"), "a rotating frame of reference");
