@@ -21,13 +21,12 @@ IOdictionary readIfPresent(const Time& time, const fileName& folder, const word&
     return IOdictionary(IOobject(name, folder, time, IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
 }
 
-/// Options and zones of OpenFOAM are dictionaries that may be switched off.
-void refuseActive(const IOdictionary& dict, const string& what)
+/// Options and zones are dictionaries. One that is switched off is refused too: OpenFOAM makes it all the same.
+void refuseAny(const IOdictionary& dict, const string& what)
 {
     for (const entry& part : dict)
     {
-        if (!part.isDict() || !part.dict().getOrDefault("active", true)) continue;
-        fail({placeOf(dict, part.keyword()), "asks for " + what + ", which nscdDEMFoam does not have", "", "no such file, or active no;"});
+        if (part.isDict()) fail({placeOf(dict, part.keyword()), "asks for " + what + ", which nscdDEMFoam does not have", "", "no such file"});
     }
 }
 
@@ -45,8 +44,8 @@ void refuseUnsupportedFiles(const Time& time)
 {
     for (const word& folder : {time.constant(), time.system()})
     {
-        refuseActive(readIfPresent(time, folder, "fvOptions"), "a source in the fluid's equations");
-        refuseActive(readIfPresent(time, folder, "MRFProperties"), "a rotating frame of reference");
+        refuseAny(readIfPresent(time, folder, "fvOptions"), "a source in the fluid's equations");
+        refuseAny(readIfPresent(time, folder, "MRFProperties"), "a rotating frame of reference");
     }
     refuseMovingMesh(readIfPresent(time, time.constant(), "dynamicMeshDict"));
 }
