@@ -50,4 +50,16 @@ struct Column
     }
 };
 
+/// A column that carries its weight, but for what one contact has too little of its impulse.
+inline Column columnAtRest(int size, int contact, double missing)
+{
+    Column column(size, Vec3::UnitZ());
+    for (nscd::Body& body : column.bodies) body.v[2] = 0.0;
+    for (int k = 0; k < size; ++k) column.blocks[k].r[2][0] = size - k;
+    column.blocks[contact].r[2][0] -= missing;
+    column.bodies[contact].v[2] -= missing;
+    column.bodies[contact - 1].v[2] += missing;
+    return column;
+}
+
 } // namespace scenes

@@ -16,18 +16,6 @@ namespace
 
 constexpr int size = 12;
 
-/// A column at rest that carries its weight, but for what one contact has too little of its impulse.
-Column columnAtRest(int contact, double missing)
-{
-    Column column(size, Vec3::UnitZ());
-    for (nscd::Body& body : column.bodies) body.v[2] = 0.0;
-    for (int k = 0; k < size; ++k) column.blocks[k].r[2][0] = size - k;
-    column.blocks[contact].r[2][0] -= missing;
-    column.bodies[contact].v[2] -= missing;
-    column.bodies[contact - 1].v[2] += missing;
-    return column;
-}
-
 } // namespace
 
 TEST(ContactQueue, workedOffSolvesAColumn)
@@ -44,7 +32,7 @@ TEST(ContactQueue, workedOffSolvesAColumn)
 
 TEST(ContactQueue, visitsNeighborsOfWhatChangedAndNoOthers)
 {
-    Column column = columnAtRest(6, 1e-3);
+    Column column = columnAtRest(size, 6, 1e-3);
     nscd::ContactProblem problem = column.problem();
     nscd::ContactQueue queue(problem, problem.all());
     // The defect goes, and leaves less than the threshold with its two neighbors, which are looked at and left as they are.

@@ -15,18 +15,6 @@ namespace
 constexpr double limit = 1e-3;
 constexpr nscd::StopRule rule{1e-2, 1.0, 1.0, 1e-3, limit};
 
-/// A column that carries its weight, but for what one contact has too little of its impulse.
-Column columnAtRest(int size, int contact, double missing)
-{
-    Column column(size, Vec3::UnitZ());
-    for (nscd::Body& body : column.bodies) body.v[2] = 0.0;
-    for (int k = 0; k < size; ++k) column.blocks[k].r[2][0] = size - k;
-    column.blocks[contact].r[2][0] -= missing;
-    column.bodies[contact].v[2] -= missing;
-    column.bodies[contact - 1].v[2] += missing;
-    return column;
-}
-
 } // namespace
 
 TEST(LoneDefects, goAwayWhereTheyAre)
