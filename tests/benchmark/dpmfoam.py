@@ -113,7 +113,7 @@ def windowFigures(rows):
         ("largest overlap [d]", max(column("overlapMax"))), ("largest mean overlap [d]", max(column("overlapMean"))),
         ("steps at the cap [%]", 100*sum(1 for c in column("converged") if not c)/len(rows)),
         ("largest momentum error", max(column("momentumError"))),
-        ("change of grainVolume", max(column("grainVolume"))/min(column("grainVolume")) - 1),
+        ("largest volume error", max(column("volumeError"))),
     ]
 
 

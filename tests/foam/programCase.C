@@ -49,14 +49,18 @@ Files defaultFiles()
             "divSchemes { default Gauss linear; div(phi,U) Gauss upwind; }"
             "laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default linear; }"
             "snGradSchemes { default corrected; }"},
-        {"system/fvSolution",
-            "solvers { \"p_rgh.*\" { solver PCG; preconditioner DIC; tolerance 1e-10; relTol 0; }"
-            "\"U.*\" { solver PBiCGStab; preconditioner DILU; tolerance 1e-10; relTol 0; } }"
-            "PIMPLE { nCorrectors 2; }"}
+        {"system/fvSolution", solutionWith(2)}
     };
 }
 
 } // namespace
+
+std::string solutionWith(int correctors)
+{
+    return "solvers { \"p_rgh.*\" { solver PCG; preconditioner DIC; tolerance 1e-10; relTol 0; }"
+        "\"U.*\" { solver PBiCGStab; preconditioner DILU; tolerance 1e-10; relTol 0; } }"
+        "PIMPLE { nCorrectors " + std::to_string(correctors) + "; }";
+}
 
 BoxMeshSettings programBox()
 {

@@ -4,11 +4,17 @@
 // nscdDEMFoam: rigid grains with hard frictional contact in a volume-averaged incompressible fluid.
 #include "coupling/case/files/decomposedTimes.H"
 #include "coupling/case/files/processorFolders.H"
+#include "coupling/case/start/caseText.H"
+#include "coupling/case/start/controlEdits.H"
+#include "coupling/case/start/meshCheck.H"
 #include "coupling/case/start/parallelRefusal.H"
 #include "coupling/step/coupledRun.H"
 
+#include "nscd/base/folderLock.hpp"
+
 #include "argList.H"
 
+#include <memory>
 #include <stdexcept>
 
 namespace
@@ -16,7 +22,10 @@ namespace
 
 void runCase(Foam::Time& time, Foam::fvMesh& mesh)
 {
+    std::unique_ptr<nscd::FolderLock> lock;
+    if (Foam::Pstream::master()) lock = std::make_unique<nscd::FolderLock>(time.globalPath());
     Foam::nscdCoupling::CoupledRun run(time, mesh);
+    Foam::nscdCoupling::ControlEdits edits(time);
     while (run.nextStep())
     {
         run.sampleFluid();
@@ -26,6 +35,7 @@ void runCase(Foam::Time& time, Foam::fvMesh& mesh)
         run.advanceGrains();
         run.depositGrains();
         run.reportStep();
+        edits.check();
     }
     run.finish();
 }
@@ -41,8 +51,11 @@ int main(int argc, char* argv[])
     #include "setRootCase.H"
     nscdCoupling::checkProcessorFolders(args);
     nscdCoupling::completeTimes(args);
+    nscdCoupling::checkControlText(args);
     #include "createTime.H"
+    nscdCoupling::checkStartText(runTime);
     fvMesh mesh(IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));
+    nscdCoupling::checkMeshFiles(mesh);
 
     try
     {

@@ -30,7 +30,8 @@ std::string formatted(const char* format, Values... values)
 /// A duration as h:mm:ss.
 std::string clockText(double seconds)
 {
-    const long whole = std::lround(seconds);
+    constexpr double longestShown = 1e12;   // 30 000 years: beyond, no whole number of the computer holds it
+    const long whole = std::lround(std::min(seconds, longestShown));
     return formatted("%ld:%02ld:%02ld", whole/3600, whole/60 % 60, whole % 60);
 }
 
@@ -105,28 +106,39 @@ std::string RunLog::progress(double time) const
     return formatted("%.1f %% done, %s left", 100*done, clockText(elapsed()*(1 - done)/done).c_str());
 }
 
+/// Writes the first warning of each kind, and counts all.
+void RunLog::warn(const StepRow& row)
+{
+    for (const nscd::Warning& one : nscd::warnings(row.report.solve))
+    {
+        if (warnings_.count(one, row.time)) os_ << formatted("Time = %.9g s: Warning: ", row.time) << one.text << std::endl;
+    }
+}
+
 void RunLog::step(const StepRow& row, std::int64_t number, bool isWritten)
 {
     const nscd::SolveReport& solve = row.report.solve;
     ++steps_;
-    atCap_ += !solve.converged;
-    atCapSinceLine_ += !solve.converged;
+    atCap_ += solve.atCap;
+    atCapSinceLine_ += solve.atCap;
     sweeps_ += solve.sweeps;
     worstOverlap_ = std::max(worstOverlap_, row.report.overlapMax);
+    worstUncorrectedOverlap_ = std::max(worstUncorrectedOverlap_, row.report.overlapUncorrected);
+    worstForceError_ = std::max(worstForceError_, solve.forceError);
+    warn(row);
     if (steps_ > 1 && !isWritten && elapsed() - lastLine_ < secondsPerLine) return;
 
     lastLine_ = elapsed();
     os_ << formatted
         (
-            "Time = %.9g s, step %lld: %zu contacts, %d sweeps, %s, residual %.2g rms %.2g max m/s, overlap <= %.2g d; ",
+            "Time = %.9g s, step %lld: %zu contacts, %d sweeps, %s, residual %.2g rms %.2g max m/s, force error %.2g, overlap <= %.2g d; ",
             row.time, static_cast<long long>(number), solve.contacts, solve.sweeps, solve.converged ? "converged" : "NOT converged",
-            solve.residualRms, solve.residualMax, row.report.overlapMax
+            solve.residualRms, solve.residualMax, solve.forceError, row.report.overlapMax
         )
         << progress(row.time) << (isWritten ? ", written" : "");
     if (row.report.asleep > 0) os_ << "; " << row.report.asleep << " asleep";
     if (atCapSinceLine_ > 0) os_ << "; " << atCapSinceLine_ << " steps at the cap since the last line";
     os_ << std::endl;
-    if (const std::string warning = nscd::warning(solve); !warning.empty()) os_ << "  Warning: " << warning << std::endl;
     atCapSinceLine_ = 0;
 }
 
@@ -152,7 +164,9 @@ void RunLog::finish(const nscd::StepTimes& times, double output)
         << formatted("  steps                  %ld\n", steps_)
         << formatted("  steps at the cap       %ld\n", atCap_)
         << formatted("  sweeps per step        %.4g\n", steps_ > 0 ? sweeps_/steps_ : 0.0)
-        << formatted("  worst overlap          %.3g d\n", worstOverlap_) << std::flush;
+        << formatted("  worst overlap          %.3g d, before its correction %.3g d\n", worstOverlap_, worstUncorrectedOverlap_)
+        << formatted("  worst force error      %.3g\n", worstForceError_)
+        << warnings_.lines() << std::flush;
 }
 
 } // namespace nscdGrains

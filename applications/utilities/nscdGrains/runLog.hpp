@@ -8,6 +8,8 @@
 #include "sceneSettings.hpp"
 #include "stepTable.hpp"
 
+#include "nscd/scene/stepWarnings.hpp"
+
 #include <chrono>
 #include <ostream>
 
@@ -30,6 +32,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    void warn(const StepRow& row);
     std::string progress(double time) const;
     void timing(const char* name, double seconds) const;
 
@@ -43,6 +46,9 @@ private:
     long atCapSinceLine_ = 0;
     double sweeps_ = 0.0;
     double worstOverlap_ = 0.0;
+    double worstUncorrectedOverlap_ = 0.0;
+    double worstForceError_ = 0.0;
+    nscd::WarningCounts warnings_;
 };
 
 } // namespace nscdGrains

@@ -10,6 +10,7 @@
 #include "wallTable.hpp"
 
 #include "input/scene/drivenReader.hpp"
+#include "nscd/base/folderLock.hpp"
 #include "nscd/base/stopwatch.hpp"
 #include "nscd/tools/sceneCheckpoint.hpp"
 
@@ -40,6 +41,7 @@ double nextTime(double time, double deltaT)
 class SceneRun
 {
 public:
+    /// The folder of results stays as it is until everybody has accepted the scene.
     SceneRun(const SceneSettings& scene, const ResultsFolder& results, nscd::SceneState start, bool goesOn, std::ostream& os)
     :
         scene_(scene),
@@ -49,48 +51,50 @@ public:
         forces_(nscd::gravityForces(start.grains, scene.gravity, scene.run.deltaT)),
         log_(os, start.time, scene.run.endTime),
         grainSeries_(results.grainSeries()),
-        contactSeries_(results.contactSeries())
+        contactSeries_(results.contactSeries()),
+        dynamics_(std::move(start.grains), scene.materials.table, scene.walls, scene.box, scene.contact)
     {
-        log_.scene(scene, start.grains, results);
-        dynamics_ = std::make_unique<nscd::GrainDynamics>(std::move(start.grains), scene.materials.table, scene.walls, scene.box, scene.contact);
-        dynamics_->setTime(time_);
-        if (goesOn) dynamics_->restore(start.impulses, start.lastDeltaT);
+        log_.scene(scene, dynamics_.grains(), results);
+        dynamics_.setTime(time_);
+        if (goesOn) dynamics_.restore(start.impulses, start.lastDeltaT);
         const nscd::Stopwatch watch(output_);
+        results.create();
+        lock_ = std::make_unique<nscd::FolderLock>(results.path());
+        if (goesOn) continueSeries();
+        else results.clear();
         table_ = std::make_unique<StepTable>(results.report(), goesOn, time_);
         if (!scene.walls.patches.empty()) wallTable_ = std::make_unique<WallTable>(results.walls(), scene.walls, goesOn, time_);
-        if (goesOn)
-        {
-            grainSeries_.readUpTo(time_);
-            contactSeries_.readUpTo(time_);
-        }
-        else
-        {
-            writeGrains();
-        }
+        if (!goesOn) writeGrains();
     }
 
     void run()
     {
         while (isBefore(time_, scene_.run.endTime, scene_.run.deltaT)) advance();
-        log_.finish(dynamics_->times(), output_);
+        log_.finish(dynamics_.times(), output_);
     }
 
 private:
+    void continueSeries()
+    {
+        grainSeries_.readUpTo(time_);
+        contactSeries_.readUpTo(time_);
+    }
+
     void advance()
     {
         const double deltaT = scene_.run.deltaT;
         const double next = nextTime(time_, deltaT);
-        dynamics_->setTime(time_);
-        input::driveGrains(scene_.driven, *dynamics_, time_, next);
-        dynamics_->beginStep(deltaT);
-        const nscd::StepReport report = dynamics_->advance(forces_);
+        dynamics_.setTime(time_);
+        input::driveGrains(scene_.driven, dynamics_, time_, next);
+        dynamics_.beginStep(deltaT);
+        const nscd::StepReport report = dynamics_.advance(forces_);
         const bool isWritten = isWriteTime(next);
         time_ = next;
         ++step_;
         const nscd::Stopwatch watch(output_);
         const StepRow row = rowOf(report);
         table_->write(row);
-        if (wallTable_) wallTable_->write(time_, *dynamics_);
+        if (wallTable_) wallTable_->write(time_, dynamics_);
         if (isWritten) write();
         log_.step(row, step_, isWritten);
     }
@@ -104,23 +108,23 @@ private:
 
     StepRow rowOf(const nscd::StepReport& report) const
     {
-        const nscd::Grains& grains = dynamics_->grains();
+        const nscd::Grains& grains = dynamics_.grains();
         StepRow row{time_, scene_.run.deltaT, grains.size(), report, nscd::kineticEnergy(grains), nscd::massCenter(grains), Vec3::Zero()};
-        for (const Vec3& force : dynamics_->wallForce()) row.wallForce += force;
+        for (const Vec3& force : dynamics_.wallForce()) row.wallForce += force;
         return row;
     }
 
     void writeGrains()
     {
         const std::string name = results_.grains(step_);
-        writeGrainsVtp(results_.full(name), time_, dynamics_->grains(), dynamics_->contactForce());
+        writeGrainsVtp(results_.full(name), time_, dynamics_.grains(), dynamics_.contactForce());
         grainSeries_.add(time_, name);
     }
 
     void writeContacts()
     {
         const std::string name = results_.contacts(step_);
-        writeContactsVtp(results_.full(name), time_, dynamics_->grains(), dynamics_->contacts(), scene_.run.deltaT);
+        writeContactsVtp(results_.full(name), time_, dynamics_.grains(), dynamics_.contacts(), scene_.run.deltaT);
         contactSeries_.add(time_, name);
     }
 
@@ -129,7 +133,7 @@ private:
     {
         writeGrains();
         writeContacts();
-        nscd::SceneState state = nscd::takeState(*dynamics_, time_, step_);
+        nscd::SceneState state = nscd::takeState(dynamics_, time_, step_);
         state.materials = scene_.materials.table.names();
         nscd::writeCheckpoint(results_.full(results_.state(step_)), state);
         if (scene_.run.purgeWrite > 0) results_.purgeStates(static_cast<std::size_t>(scene_.run.purgeWrite));
@@ -141,10 +145,11 @@ private:
     std::int64_t step_;
     nscd::ExternalForces forces_;
     RunLog log_;
+    std::unique_ptr<nscd::FolderLock> lock_;
     double output_ = 0.0;
     TimeSeries grainSeries_;
     TimeSeries contactSeries_;
-    std::unique_ptr<nscd::GrainDynamics> dynamics_;
+    nscd::GrainDynamics dynamics_;
     std::unique_ptr<StepTable> table_;
     std::unique_ptr<WallTable> wallTable_;   // where there are walls
 };
@@ -196,9 +201,22 @@ nscd::SceneState storedStart(const SceneSettings& scene, const ResultsFolder& re
     }
     renumberMaterials(state, scene, path);
     input::holdDriven(scene.driven, state.grains);
-    checkMaterialsAndPeriods(scene, state.grains);
     for (Vec3& position : state.grains.position) position = scene.box.wrap(position);
+    checkGrainsOfRestart(scene, state.grains, state.time);
     return state;
+}
+
+/// What the grain library refuses is a mistake in the scene.
+std::unique_ptr<SceneRun> begin(const SceneSettings& scene, const ResultsFolder& results, nscd::SceneState start, bool goesOn, std::ostream& log)
+{
+    try
+    {
+        return std::make_unique<SceneRun>(scene, results, std::move(start), goesOn, log);
+    }
+    catch (const std::invalid_argument& error)
+    {
+        throw InputError({{scene.file}, std::string("makes a scene that cannot run: ") + error.what()});
+    }
 }
 
 } // namespace
@@ -255,9 +273,7 @@ void runScene(const RunOptions& options, std::ostream& log)
         log << "Time = " << start.time << " s: endTime is reached, there is nothing to do" << std::endl;
         return;
     }
-    results.create();
-    if (!options.goesOn) results.clear();
-    SceneRun(scene, results, std::move(start), options.goesOn, log).run();
+    begin(scene, results, std::move(start), options.goesOn, log)->run();
 }
 
 } // namespace nscdGrains

@@ -25,6 +25,7 @@ namespace
 
 void readShape(const CheckedEntries& top, SceneSettings& scene)
 {
+    top.foundAsSpelt("dimensions");
     const double dimensions = top.number("dimensions", input::anyNumber(), 3);
     if (dimensions != 2 && dimensions != 3) top.reject("dimensions", "is out of range", "2 (discs in the x-y plane) or 3 (spheres)");
     scene.shape.dimensions = static_cast<int>(dimensions);
@@ -69,6 +70,18 @@ void readPeriodic(const CheckedEntries& top, SceneSettings& scene)
         scene.box.length[k] = ends[1] - ends[0];
     }
     given.finish();
+}
+
+void checkMaterialsAndPeriods(const SceneSettings& scene, const nscd::Grains& grains)
+{
+    input::checkPairs(scene.materials, input::usedMaterials(grains), scene.walls);
+    input::checkPeriods(scene.box, input::largestDiameter(grains), scene.periodicPlace);
+}
+
+void checkOverlaps(const SceneSettings& scene, const nscd::Grains& grains, const nscd::Walls& walls, double maxShare)
+{
+    const std::vector<nscd::Overlap> overlaps = input::findOverlaps(grains, scene.box, walls, maxShare);
+    input::refuseOverlaps(overlaps.size(), input::worstOverlaps(overlaps, grains, walls), scene, maxShare);
 }
 
 } // namespace
@@ -116,17 +129,18 @@ nscd::Grains placeGrains(const SceneSettings& scene)
     return grains;
 }
 
-void checkMaterialsAndPeriods(const SceneSettings& scene, const nscd::Grains& grains)
-{
-    input::checkPairs(scene.materials, input::usedMaterials(grains), scene.walls);
-    input::checkPeriods(scene.box, input::largestDiameter(grains), scene.periodicPlace);
-}
-
 void checkGrains(const SceneSettings& scene, const nscd::Grains& grains)
 {
     checkMaterialsAndPeriods(scene, grains);
-    const std::vector<nscd::Overlap> overlaps = input::findOverlaps(grains, scene.box, scene.walls, scene);
-    input::refuseOverlaps(overlaps.size(), input::worstOverlaps(overlaps, grains, scene.walls), scene);
+    checkOverlaps(scene, grains, scene.walls, scene.maxInitialOverlap);
+}
+
+void checkGrainsOfRestart(const SceneSettings& scene, const nscd::Grains& grains, double time)
+{
+    checkMaterialsAndPeriods(scene, grains);
+    nscd::Walls walls = scene.walls;
+    nscd::moveWalls(walls, time);
+    checkOverlaps(scene, grains, walls, input::maxOverlapOfRestart(scene));
 }
 
 } // namespace nscdGrains

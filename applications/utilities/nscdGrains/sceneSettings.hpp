@@ -48,10 +48,10 @@ SceneSettings parseScene(const std::string& text, const std::string& file);
 /// Errors: input::InputError for files that are missing or wrong, with their line, and for driven grains that are not there
 nscd::Grains placeGrains(const SceneSettings& scene);
 
-/// Refuses pairs of materials without coefficients and periods that are too short.
-void checkMaterialsAndPeriods(const SceneSettings& scene, const nscd::Grains& grains);
-
-/// Refuses what no run can start from: the same, and overlaps.
+/// Refuses what no run can start from: pairs of materials without coefficients, periods that are too short, overlaps.
 void checkGrains(const SceneSettings& scene, const nscd::Grains& grains);
+
+/// The same of grains of a state, with the walls where they are at its time [s], and overlaps that no run leaves behind.
+void checkGrainsOfRestart(const SceneSettings& scene, const nscd::Grains& grains, double time);
 
 } // namespace nscdGrains

@@ -37,7 +37,9 @@ const Column columns[] =
     {"wallForceX", "N", [](const StepRow& r) { return r.wallForce.x(); }},
     {"wallForceY", "N", [](const StepRow& r) { return r.wallForce.y(); }},
     {"wallForceZ", "N", [](const StepRow& r) { return r.wallForce.z(); }},
-    {"correctionSweeps", "1", [](const StepRow& r) { return double(r.report.correctionSweeps); }}
+    {"correctionSweeps", "1", [](const StepRow& r) { return double(r.report.correctionSweeps); }},
+    {"forceError", "1", [](const StepRow& r) { return r.report.solve.forceError; }},
+    {"overlapUncorrected", "diameters", [](const StepRow& r) { return r.report.overlapUncorrected; }}
 };
 
 template<class Text>

@@ -105,6 +105,23 @@ void FluidSolver::solveWithGrains()
     // With the operator that moved the fluid, so that fluid and grains share one stress to round-off.
     fields_.divTau = -rho()*(minusDivTau() & fields_.U);
     fields_.divTau.correctBoundaryConditions();
+    forceOnGrains_ = whatGrainsGot(momentum());
+}
+
+
+vector FluidSolver::whatGrainsGot(const fvVectorMatrix& momentum) const
+{
+    const scalarField& volume = mesh_.V();
+    const scalarField solid(1 - sources_.fluidFraction.primitiveField());
+    const tmp<volVectorField> kept(momentum & fields_.U);
+    vector force = sum(volume*(solid*fields_.divTau.primitiveField() - rho().value()*kept().primitiveField() - meanFlowGradient()));
+    forAll(mesh_.boundary(), patchi)
+    {
+        if (mesh_.boundary()[patchi].coupled()) continue;
+        force -= sum(fields_.pRgh.boundaryField()[patchi]*mesh_.Sf().boundaryField()[patchi]);
+    }
+    reduce(force, sumOp<vector>());
+    return force;
 }
 
 

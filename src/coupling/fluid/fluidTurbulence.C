@@ -3,13 +3,12 @@
 // The stress of the averaged fluid and the update of its viscosity.
 
 #include "coupling/fluid/fluidTurbulence.H"
+#include "coupling/fluid/turbulenceModels.H"
 
-#include "PhaseIncompressibleTurbulenceModel.H"
 #include "fvcDiv.H"
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
 #include "fvmLaplacian.H"
-#include "laminarModel.H"
 #include "linear.H"
 
 namespace Foam
@@ -27,7 +26,7 @@ FluidTurbulence::FluidTurbulence
     phiInterstitial_("phiInterstitial", phi/linearInterpolate(fluidFraction)),
     transport_(U, phi),
     rho_("rho", dimDensity, transport_),
-    model_(Model::New(fluidFraction, U, phi, phiInterstitial_, transport_)),
+    model_(selectTurbulenceModel(fluidFraction, U, phi, phiInterstitial_, transport_)),
     isLaminar_(IOdictionary(model_()).get<word>("simulationType") == "laminar")
 {
     model_->validate();

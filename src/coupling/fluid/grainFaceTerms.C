@@ -52,6 +52,18 @@ tmp<surfaceScalarField> fluxOf(const volVectorField& cells)
     return cells.mesh().Sf() & fvc::interpolate(cells, "flux(HbyA)");
 }
 
+tmp<surfaceScalarField> weightedMean(const volScalarField& cells, const autoPtr<ResponseTerms>& response)
+{
+    if (!response.valid()) return linearInterpolate(cells);
+    return response->chiFace*linearInterpolate(cells/response->chi);
+}
+
+tmp<surfaceScalarField> weightedFlux(const volVectorField& cells, const autoPtr<ResponseTerms>& response)
+{
+    if (!response.valid()) return fluxOf(cells);
+    return response->chiFace*fluxOf(cells/response->chi);
+}
+
 tmp<volVectorField> explicitForce(const GrainSources& sources, const FluidFields& fields)
 {
     tmp<volVectorField> force(sources.acceleration/sources.fluidFraction);
@@ -74,7 +86,7 @@ List<Border> bordersOf(const FluidFields& fields)
 ResponseTerms::ResponseTerms(const GrainSources& sources, const List<Border>& borders)
 :
     chi("chi", 1 + sources.pressure/sources.fluidFraction),
-    chiFace("chiFace", linearInterpolate(chi)),
+    chiFace("chiFace", 1/linearInterpolate(1/chi)),
     slip("slipFace", motionOnFaces(linearInterpolate(sources.slip/sources.fluidFraction), borders)),
     carried("carriedFlux", motionOnFaces(fluxOf(sources.carried), borders)),
     mobility("mobilityFace", motionOnFaces(linearInterpolate(sources.mobility), borders))
@@ -86,11 +98,11 @@ GrainFaceTerms::GrainFaceTerms
     const GrainSources& sources, const FluidFields& fields, const List<Border>& borders
 )
 :
+    response(sources.hasResponse ? new ResponseTerms(sources, borders) : nullptr),
     resistance("resistance", sources.drag/sqr(sources.fluidFraction)),
-    resistanceFace("resistanceFace", forceOnFaces(linearInterpolate(resistance), borders)),
+    resistanceFace("resistanceFace", forceOnFaces(weightedMean(resistance, response), borders)),
     force("explicitForce", explicitForce(sources, fields)),
-    forceFlux("forceFlux", forceOnFaces(fluxOf(force), borders)),
-    response(sources.hasResponse ? new ResponseTerms(sources, borders) : nullptr)
+    forceFlux("forceFlux", forceOnFaces(weightedFlux(force, response), borders))
 {}
 
 } // End namespace nscdCoupling

@@ -5,11 +5,13 @@
 // Tested by tests/foam/program/caseProgramTest.C, tests/foam/program/ranksTest.C
 #include "coupling/step/coupledRun.H"
 
+#include "coupling/base/vectorConversion.H"
 #include "coupling/step/fluidAtGrains.H"
 
 #include "input/scene/drivenReader.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace Foam
 {
@@ -34,7 +36,9 @@ bool CoupledRun::nextStep()
     ++time_;
     balanceRanks();
     driveTo(time_.value(), time_.deltaTValue());
-    if (hasFluid()) immersion_->sources.beginStep();
+    if (!hasFluid()) return true;
+    immersion_->sources.hasGrains = feedsBack();
+    immersion_->sources.beginStep();
     return true;
 }
 
@@ -119,7 +123,6 @@ void CoupledRun::solveFluid()
     if (!hasFluid()) return;
     immersion_->fluid->solve();
     reach_.courant = immersion_->fluid->courantNumber().max;
-    step_.spreadForce = feedsBack() ? nscdCoupling::spreadForce(immersion_->sources, *immersion_->fluid) : vector(Zero);
 }
 
 void CoupledRun::fluidForces()
@@ -179,13 +182,24 @@ void CoupledRun::recordFluidForce()
 
 void CoupledRun::settleDebts()
 {
+    const ::nscd::Grains& grains = dynamics_->grains();
     const scalar deltaT = time_.deltaTValue();
-    StepBalance here = settleDebt(dynamics_->grains(), step_, deltaT, debt_);
-    double sizes[2] = {here.received, here.carried};
-    ranks_.exchange()->sum(here.paid.data(), 3);
-    ranks_.exchange()->sum(sizes, 2);
-    const Vec3 balance = here.paid + deltaT*toVec3(step_.spreadForce);
-    step_.momentumError = balance.norm()/std::max({sizes[0], sizes[1], VSMALL});
+    const StepBalance here = settleDebt(step_, deltaT, debt_);
+    // Impulse on the grains and change of their debts; sizes of forces, weights and debts.
+    Vec3 got = here.debtChange;
+    double sizes[3] = {0, 0, here.debt};
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        const Vec3 dynamic = fluidForce_[i] + fluidDensity()*grains.volume(i)*toVec3(gravity_);
+        got += deltaT*dynamic;
+        sizes[0] += deltaT*dynamic.norm();
+        sizes[1] += deltaT*grains.mass[i]*mag(gravity_);
+    }
+    ranks_.exchange()->sum(got.data(), 3);
+    ranks_.exchange()->sum(sizes, 3);
+    const scalar scale = std::max(sizes[1] > 0 ? sizes[1] : sizes[0], VSMALL);
+    step_.momentumError = (deltaT*toVec3(immersion_->fluid->forceOnGrains()) - got).norm()/scale;
+    step_.momentumDebt = sizes[2]/scale;
 }
 
 void CoupledRun::depositGrains()
@@ -226,17 +240,33 @@ void CoupledRun::updateWeightsAtHome()
     if (feedsBack()) immersion_->mapping->setFluidFraction(immersion_->sources.fluidFraction);
 }
 
+void CoupledRun::leaveDebts(const std::vector<std::size_t>& gone)
+{
+    if (!hasFluid()) return;
+    const ::nscd::Grains& grains = dynamics_->grains();
+    std::vector<scalar> share(grains.mass.begin(), grains.mass.begin() + static_cast<std::ptrdiff_t>(grains.nOwned));
+    for (std::size_t i : gone) share[i] = 0;
+    double sums[4] = {0, 0, 0, std::accumulate(share.begin(), share.end(), scalar(0))};
+    for (std::size_t i : gone)
+    {
+        for (int k = 0; k < 3; ++k) sums[k] += debt_[i][k];
+    }
+    ranks_.exchange()->sum(sums, 4);
+    const Vec3 perMass = Vec3(sums)/std::max(sums[3], VSMALL);
+    for (std::size_t i = 0; i < share.size(); ++i) debt_[i] += share[i]*perMass;
+}
+
 void CoupledRun::removeExited(const std::vector<label>& cells)
 {
-    const labelList cellList(cells.begin(), cells.end());
     const std::vector<std::size_t> gone = findExited
     (
-        dynamics_->grains(), cellList, mesh_, scene_.roles, ranks_.isParallel() ? &ranks_.tree() : nullptr
+        dynamics_->grains(), toLabelList(cells), mesh_, scene_.roles, ranks_.isParallel() ? &ranks_.tree() : nullptr
     );
     double number = double(gone.size());
     ranks_.exchange()->sum(&number, 1);
     if (number == 0) return;
     ::nscd::Grains grains = dynamics_->grains();
+    leaveDebts(gone);
     eraseGrains(grains, gone);
     dynamics_->setGrains(std::move(grains));
     memory_.erase(gone);

@@ -100,7 +100,7 @@ void CoupledRun::writeOnHomes(GrainState state)
     }
     state = ranks_.moved(state, rank);
     cell = ranks_.moved(cell, rank);
-    writeGrainState(mesh_, state, properties_.materials.table, labelList(cell.begin(), cell.end()));
+    writeGrainState(mesh_, state, properties_.materials.table, toLabelList(cell));
     // From here on as a restart, which finds the grains in this order and knows no loads.
     setState(ranks_.share(state, {}));
 }

@@ -20,10 +20,20 @@ namespace nscdCoupling
 namespace
 {
 
+/// What linear solvers have said in this step; from v2312 on a mesh holds its data, before it is them.
+const dictionary& performance(const fvMesh& mesh)
+{
+#if OPENFOAM >= 2312
+    return mesh.data().solverPerformanceDict();
+#else
+    return mesh.data::solverPerformanceDict();
+#endif
+}
+
 label pressureIterations(const fvMesh& mesh)
 {
     List<SolverPerformance<scalar>> solves;
-    if (!mesh.data::solverPerformanceDict().readIfPresent("p_rgh", solves)) return 0;
+    if (!performance(mesh).readIfPresent("p_rgh", solves)) return 0;
     label sum = 0;
     for (const auto& solve : solves) sum += solve.nIterations();
     return sum;
@@ -31,33 +41,48 @@ label pressureIterations(const fvMesh& mesh)
 
 } // namespace
 
+/// The volumes of the void fraction, summed from its field, beside those of the grains.
+void CoupledRun::describeVolumes(StepRow& row) const
+{
+    if (!hasFluid() || !feedsBack() || !immersion_->mapping) return;
+    const MappingReport& mapped = immersion_->mapping->report();
+    row.solidVolume = gSum(mesh_.V().field()*(1 - immersion_->sources.fluidFraction.primitiveField()));
+    row.volumeOutside = mapped.lostOutside;
+    row.volumeMoved = mapped.redistribution.movedVolume;
+    row.volumeUnresolved = mapped.redistribution.unresolvedVolume;
+    if (row.grainVolume > 0) row.volumeError = mag(row.solidVolume - (row.grainVolume - row.volumeOutside))/row.grainVolume;
+}
+
 StepRow CoupledRun::describeStep() const
 {
     const GrainTotals totals = sumGrains(dynamics_->grains(), *ranks_.exchange());
-    const ::nscd::StepReport& report = step_.grainReport;
     StepRow row;
     row.time = time_.value();
     row.deltaT = time_.deltaTValue();
     row.grains = totals.number;
-    row.contacts = static_cast<std::int64_t>(report.solve.contacts);
-    row.sweeps = report.solve.sweeps;
-    row.converged = report.solve.converged;
-    row.newtonSteps = report.solve.newtonSteps;
-    row.solveWarning = ::nscd::warning(report.solve);
-    row.asleep = static_cast<std::int64_t>(report.asleep);
-    row.residualRms = report.solve.residualRms;
-    row.residualMax = report.solve.residualMax;
-    row.overlapMax = report.overlapMax;
-    row.overlapMean = report.overlapMean;
-    row.correctionSweeps = report.correctionSweeps;
+    row.report = step_.grainReport;
     row.kineticEnergy = totals.kineticEnergy;
     row.massCenter = totals.massCenter;
     for (const Vec3& force : dynamics_->wallForce()) row.wallForce += toFoam(force);
-    row.grainVolume = hasFluid() && immersion_->mapping ? immersion_->mapping->report().volumeDeposited : totals.volume;
+    row.grainVolume = totals.volume;
+    describeVolumes(row);
     row.momentumError = step_.momentumError;
+    row.momentumDebt = step_.momentumDebt;
     row.exited = exited_;
     row.courantMax = reach_.courant;
     return row;
+}
+
+scalar CoupledRun::owedShare() const
+{
+    double sums[2] = {0, 0};
+    for (std::size_t i = 0; i < debt_.size() && i < step_.received.size(); ++i)
+    {
+        sums[0] += debt_[i].norm();
+        sums[1] += step_.received[i].norm();
+    }
+    ranks_.exchange()->sum(sums, 2);
+    return sums[0]/std::max(sums[1], VSMALL);
 }
 
 FluidSummary CoupledRun::describeFluid() const
@@ -75,15 +100,14 @@ FluidSummary CoupledRun::describeFluid() const
     }
     reduce(summary.slipMax, maxOp<scalar>());
     reduce(summary.fluidForce, sumOp<vector>());
+    summary.isLagged = feedsBack() && step_.response.isZero;
+    summary.owedShare = feedsBack() ? owedShare() : 0;
     summary.dragRatioMax = step_.drag.largestStiffness;
     summary.predictorSweeps = step_.predictorSweeps;
     summary.predictorConverged = step_.predictorConverged;
     summary.pressureIterations = pressureIterations(mesh_);
     summary.continuityError = immersion_->fluid->continuityError().largest*time_.deltaTValue();
     summary.fluidFractionMin = gMin(immersion_->sources.fluidFraction.primitiveField());
-    if (!immersion_->mapping) return summary;
-    const MappingReport& mapped = immersion_->mapping->report();
-    if (mapped.grainVolume > 0) summary.volumeError = mag(mapped.volumeDeposited - mapped.grainVolume)/mapped.grainVolume;
     return summary;
 }
 

@@ -7,7 +7,9 @@
 
 #include "coupling/case/files/processorFolders.H"
 #include "coupling/case/log/grainTotals.H"
+#include "coupling/case/log/inflow.H"
 #include "coupling/case/log/sceneLog.H"
+#include "coupling/case/start/initialChecks.H"
 #include "coupling/case/start/numericsCheck.H"
 #include "coupling/case/start/unsupportedFiles.H"
 #include "coupling/case/start/parallelRefusal.H"
@@ -81,7 +83,8 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     if (properties_.solvesFluid) startFluid();
     report_ = std::make_unique<GrainReport>(time);
     if (properties_.hasWalls || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
-    logScene(Info, properties_, scene_, sumGrains(dynamics_->grains(), *ranks_.exchange()), mesh, hasGrainState(mesh));
+    const stringList inflow = hasFluid() ? describeInflow(immersion_->fluid->U(), immersion_->sources.fluidFraction) : stringList();
+    logScene(Info, properties_, scene_, sumGrains(dynamics_->grains(), *ranks_.exchange()), mesh, hasGrainState(mesh), inflow);
 }
 
 GrainState CoupledRun::readState() const
@@ -102,6 +105,7 @@ void CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
     GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
+    if (isRestart) checkRestart(state.grains, state.numbers.at("time"), scene_, properties_, *ranks_.exchange());
     toldByFoam([&] { input::holdDriven(properties_.driven, state.grains, *ranks_.exchange(), isRestart && hasExits()); });
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;
     state = ranks_.share(state, {});
@@ -148,6 +152,7 @@ void CoupledRun::startFluid()
     checkTransportProperties(time_);
     immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());
     checkNumerics(immersion_->fluid->phi(), sources.hasGrains || properties_.holdsMeanFlow);
+    if (sources.hasGrains && hasExits()) checkNumerics(immersion_->fluid->phi(), properties_.holdsMeanFlow);
 }
 
 } // namespace nscdCoupling

@@ -90,22 +90,7 @@ void handOver
     sources.correctBoundaryConditions();
 }
 
-vector spreadForce(const GrainSources& sources, const FluidSolver& fluid)
-{
-    const scalarField& volume = fluid.U().mesh().V();
-    const vectorField& u = fluid.U().primitiveField();
-    const vectorField& gradient = fluid.balancedPressureGradient().primitiveField();
-    vector force = Zero;
-    forAll(volume, j)
-    {
-        force += volume[j]
-            *(fluid.rho().value()*(sources.acceleration[j] - sources.drag[j]*u[j]) - sources.pressure[j]*gradient[j]);
-    }
-    reduce(force, sumOp<vector>());
-    return force;
-}
-
-StepBalance settleDebt(const ::nscd::Grains& grains, const GrainExchange& step, scalar deltaT, std::vector<Vec3>& debt)
+StepBalance settleDebt(const GrainExchange& step, scalar deltaT, std::vector<Vec3>& debt)
 {
     const std::size_t n = step.received.size();
     const bool feelsPressure = !step.at.pressureGradient.empty();
@@ -117,16 +102,13 @@ StepBalance settleDebt(const ::nscd::Grains& grains, const GrainExchange& step, 
         const Vec3& v0 = step.startVelocity[i];
         const Vec3 paid = deltaT*paidDrag(step.drag, step.response, v0, i, step.at.velocity[i], gradient[i]);
         const Vec3 repaid = repaidShare*debt[i];
+        const Vec3 change = paid - step.received[i] - repaid;
+        debt[i] += change;
         balance.paid += paid - repaid;
-        balance.received += step.received[i].norm();
-        balance.carried += grains.mass[i]*v0.norm();
-        debt[i] += paid - step.received[i] - repaid;
+        balance.debtChange += change;
+        balance.debt += debt[i].norm();
     }
-    for (const Vec3& force : step.exchanged)
-    {
-        balance.paid += deltaT*force;
-        balance.received += deltaT*force.norm();
-    }
+    for (const Vec3& force : step.exchanged) balance.paid += deltaT*force;
     return balance;
 }
 

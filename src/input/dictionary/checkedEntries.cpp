@@ -38,15 +38,28 @@ void CheckedEntries::reject(const std::string& keyword, const std::string& probl
     throw InputError({place(keyword), problem, entry ? asWritten(entry->value) : "", allowed, words});
 }
 
-void CheckedEntries::require(const std::string& keyword, const std::string& allowed) const
+std::string CheckedEntries::misspelt(const std::string& keyword) const
 {
-    if (found(keyword)) return;
     Words others;
     for (const Entry& entry : dict_.entries)
     {
         if (!isListed(entry.keyword, declared_)) others.push_back(entry.keyword);
     }
-    const std::string nearest = nscd::nearestWord(keyword, others);
+    return nscd::nearestWord(keyword, others);
+}
+
+bool CheckedEntries::foundAsSpelt(const std::string& keyword) const
+{
+    if (found(keyword)) return true;
+    const std::string nearest = misspelt(keyword);
+    if (!nearest.empty()) throw InputError({place(nearest), "is not a keyword here", nearest, "", {keyword}});
+    return false;
+}
+
+void CheckedEntries::require(const std::string& keyword, const std::string& allowed) const
+{
+    if (found(keyword)) return;
+    const std::string nearest = misspelt(keyword);
     if (nearest.empty()) throw InputError({place(keyword), "is missing", "", allowed});
     throw InputError({place(nearest), "is not a keyword here, and " + keyword + " is missing", nearest, allowed, {keyword}});
 }

@@ -28,6 +28,8 @@ public:
     explicit CheckedEntries(const Dictionary& dict) : dict_(dict) {}
 
     bool found(const std::string& keyword) const;
+    /// Likewise, of a keyword without which others would be complained about: refuses the one that may be it, misspelt.
+    bool foundAsSpelt(const std::string& keyword) const;
     /// Refuses a dictionary without the keyword; names the one that may be it, misspelt.
     void require(const std::string& keyword, const std::string& allowed) const;
     Place place(const std::string& keyword) const { return dict_.placeOf(keyword); }
@@ -77,6 +79,8 @@ public:
     void finish() const;
 
 private:
+    /// The entry that may be a keyword, misspelt; empty where there is none.
+    std::string misspelt(const std::string& keyword) const;
     /// Tokens of a value behind its dimensions.
     std::vector<Token> quantity(const std::string& keyword, const Unit& unit) const;
     long toInteger(const std::string& keyword, double number, long lower) const;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 namespace input
 {
@@ -17,11 +18,38 @@ namespace input
 namespace
 {
 
-/// Digits and signs that make a number beyond all that a computer holds.
-bool overflows(const Token& token)
+const char* const largestOfAll = "a number up to 1e308";
+const char* const digits = "0123456789";
+const char* const lettersOfNumbers = "0123456789+-.eE";
+
+/// A number beyond all that a computer holds.
+bool overflows(const std::string& word)
 {
-    const bool mayBeNumber = token.kind == Token::Kind::word && token.text.find_first_not_of("0123456789+-.eE") == std::string::npos;
-    return mayBeNumber && std::isinf(std::strtod(token.text.c_str(), nullptr));
+    return word.find_first_not_of(lettersOfNumbers) == std::string::npos && std::isinf(std::strtod(word.c_str(), nullptr));
+}
+
+bool overflows(const Token& token) { return token.kind == Token::Kind::word && overflows(token.text); }
+
+/// Whether an e stands within a number of three digits behind it or more, as in 1e999.
+bool isLargeExponent(const std::string& text, std::size_t e)
+{
+    const std::size_t sign = e + 1 < text.size() && (text[e + 1] == '+' || text[e + 1] == '-');
+    const std::size_t first = e + 1 + sign, end = std::min(text.size(), text.find_first_not_of(digits, first));
+    return e > 0 && std::strchr("0123456789.", text[e - 1]) && end >= first + 3;
+}
+
+/// Whether a comment begins in the line before a place.
+bool isInComment(const std::string& text, std::size_t at)
+{
+    const std::size_t comment = text.rfind("//", at);
+    return comment != std::string::npos && text.find('\n', comment) > at;
+}
+
+/// The word around a place, made of what numbers are made of.
+std::string numberAround(const std::string& text, std::size_t at)
+{
+    const std::size_t before = text.find_last_not_of(lettersOfNumbers, at), first = before == std::string::npos ? 0 : before + 1;
+    return text.substr(first, text.find_first_not_of(lettersOfNumbers, at) - first);
 }
 
 /// Directives after which one keyword may be meant to stand twice.
@@ -31,11 +59,11 @@ bool mayRepeat(const Token& token) { return token.text.compare(0, 3, "#if") == 0
 class Walk
 {
 public:
-    Walk(const std::vector<Token>& tokens, const std::string& file)
+    Walk(const std::vector<Token>& tokens, const std::string& file, Repeats repeats)
     :
         tokens_(tokens),
         file_(file),
-        mayRepeat_(std::any_of(tokens.begin(), tokens.end(), mayRepeat))
+        mayRepeat_(repeats == Repeats::allowed || std::any_of(tokens.begin(), tokens.end(), mayRepeat))
     {}
 
     void through(Dictionary& dict, int depth)
@@ -83,7 +111,7 @@ private:
         for (; at_ < tokens_.size() && depth >= 0; ++at_)
         {
             const Token& token = tokens_[at_];
-            if (overflows(token)) throw InputError({place, "is not a finite number", token.text, "a number up to 1e308"});
+            if (overflows(token)) throw InputError({place, "is not a finite number", token.text, largestOfAll});
             if (token.isMark(';') && depth == 0) break;
             depth += token.isMark('(') + token.isMark('{') - token.isMark(')') - token.isMark('}');
         }
@@ -99,13 +127,26 @@ private:
 
 } // namespace
 
-void checkOpenFoamText(const std::string& text, const std::string& file)
+void checkOpenFoamText(const std::string& text, const std::string& file, Repeats repeats)
 {
     const WithoutTraps traps;
     const std::vector<Token> tokens = tokensOf(text, file, Dialect::openFoam);
     Dictionary top{{file}, {}};
-    Walk walk(tokens, file);
+    Walk walk(tokens, file, repeats);
     walk.through(top, 0);
+}
+
+void checkNumbers(const std::string& text, const std::string& file)
+{
+    const WithoutTraps traps;
+    for (std::size_t e = text.find_first_of("eE"); e != std::string::npos; e = text.find_first_of("eE", e + 1))
+    {
+        if (!isLargeExponent(text, e) || isInComment(text, e)) continue;
+        const std::string word = numberAround(text, e);
+        if (!overflows(word)) continue;
+        const int line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(e), '\n'));
+        throw InputError({{file, line}, "holds a number that no computer holds", word, largestOfAll});
+    }
 }
 
 } // namespace input

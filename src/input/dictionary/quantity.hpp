@@ -43,6 +43,9 @@ inline constexpr Unit force{1, 1, -2};
 constexpr double largestNumber = 1e30;
 constexpr double smallestPositive = 1e-30;
 
+/// Faster ones no wall makes, and integrals over them take ages [1/s].
+constexpr double highestFrequency = 2e4;
+
 /// The numbers a value may have.
 struct Range
 {
@@ -77,9 +80,9 @@ inline Range above(double lower, const Unit& unit = unit::one)
     return range;
 }
 
-inline Range between(double lower, double upper)
+inline Range between(double lower, double upper, const Unit& unit = unit::one)
 {
-    Range range = atLeast(lower);
+    Range range = atLeast(lower, unit);
     range.upper = upper;
     return range;
 }

@@ -14,7 +14,7 @@ namespace input
 namespace
 {
 
-std::string readSolver(const CheckedEntries& given, const std::string& usual, const nscd::Materials& materials, int nRanks)
+std::string readSolver(const CheckedEntries& given, const std::string& usual, const nscd::Materials& materials, bool hasClumps, int nRanks)
 {
     Words words, onRanks;
     for (const nscd::ContactSolverRow& row : nscd::contactSolvers())
@@ -24,6 +24,7 @@ std::string readSolver(const CheckedEntries& given, const std::string& usual, co
     }
     const std::string solver = given.choice("type", words, usual);
     if (nRanks > 1 && !nscd::findContactSolver(solver).worksOnRanks) given.reject("type", "works on one rank only", "", onRanks);
+    if (hasClumps && solver != "NLGS") given.reject("type", "knows no clumps", "NLGS");
     for (const nscd::ContactLawRow* law : nscd::lawsInUse(materials))
     {
         if (law->isSwept && solver != "NLGS") given.reject("type", std::string("knows no ") + law->words, "NLGS");
@@ -45,26 +46,43 @@ std::string readVectorPath(const CheckedEntries& given, const std::string& usual
     return path;
 }
 
+void checkLawsOfClumps(const MaterialTable& materials)
+{
+    for (const nscd::ContactLawRow* law : nscd::lawsInUse(materials.table))
+    {
+        throw InputError({materials.contactsPlace, std::string("has ") + law->words + ", which contacts of clumps do not know", "", "none beside clumps"});
+    }
+}
+
+bool readSleep(const CheckedEntries& given, const Surroundings& around, Scene& scene)
+{
+    const bool isOn = given.flag("sleep", around.sleepsByDefault);
+    if (isOn && around.hasFluid) given.reject("sleep", "is for runs without a fluid, which moves all grains", "off");
+    if (isOn && scene.hasClumps()) scene.notes.push_back("grains at rest stay awake: clumps do not sleep");
+    else if (isOn && around.nRanks > 1) scene.notes.push_back("grains at rest stay awake: on several ranks they do not sleep");
+    return isOn && !scene.hasClumps() && around.nRanks == 1;
+}
+
 } // namespace
 
-nscd::ContactSettings readContactSettings(const CheckedEntries& top, const nscd::Materials& materials, const Surroundings& around)
+void readContactSettings(const CheckedEntries& top, const Surroundings& around, Scene& scene)
 {
     const Dictionary dict = top.subOrEmpty("solver");
     const CheckedEntries given(dict);
-    nscd::ContactSettings s;
-    s.solver = readSolver(given, s.solver, materials, around.nRanks);
+    nscd::ContactSettings& s = scene.contact;
+    s.solver = readSolver(given, s.solver, scene.materials.table, scene.hasClumps(), around.nRanks);
+    if (scene.hasClumps()) checkLawsOfClumps(scene.materials);
     s.tolerance = given.number("tolerance", above(0), s.tolerance);
     s.displacementTolerance = given.number("displacementTolerance", above(0), s.displacementTolerance);
+    s.forceTolerance = given.number("forceTolerance", above(0), s.forceTolerance);
     s.maxSweeps = static_cast<int>(given.integer("maxSweeps", 1, s.maxSweeps));
     s.deadBand = given.number("deadBand", atLeast(0), s.deadBand);
     s.overlapTolerance = given.number("overlapTolerance", above(0), s.overlapTolerance);
     s.skin = given.number("skin", atLeast(0), s.skin);
     s.accelerate = given.flag("accelerate", s.accelerate);
-    s.sleep = given.flag("sleep", around.sleepsByDefault);
-    if (s.sleep && around.hasFluid) given.reject("sleep", "is for runs without a fluid, which moves all grains", "off");
+    s.sleep = readSleep(given, around, scene);
     s.vectorPath = readVectorPath(given, s.vectorPath);
     given.finish();
-    return s;
 }
 
 } // namespace input

@@ -9,8 +9,9 @@
 namespace input
 {
 
-/// `solver`. With a fluid nothing sleeps.
-/// Errors: InputError for values out of range, and for solvers that cannot do what the materials, the ranks or this processor ask for
-nscd::ContactSettings readContactSettings(const CheckedEntries& top, const nscd::Materials& materials, const Surroundings& around);
+/// `solver` into scene.contact; materials and sources have been read. Where grains at rest cannot sleep, scene.notes says so.
+/// Errors: InputError for values out of range, for solvers that cannot do what the materials, the ranks or this processor ask for, and for
+///         laws beside Coulomb's between clumps
+void readContactSettings(const CheckedEntries& top, const Surroundings& around, Scene& scene);
 
 } // namespace input

@@ -126,7 +126,7 @@ private:
         const auto isFunction = [&](const std::string& keyword) { return dict.isDictionary(keyword) || isName(dict.tokens(keyword, forms)[0]); };
         const double start = dict.number("t0", anyNumber(), 0.0);
         if (more_ && std::any_of(needed.begin(), needed.end(), isFunction)) return {};
-        const double frequency = dict.number("frequency", atLeast(0)), amplitude = dict.number("amplitude", anyNumber());
+        const double frequency = dict.number("frequency", between(0, highestFrequency)), amplitude = dict.number("amplitude", anyNumber());
         const Value scale = amplitude*of(dict, "scale").readConstant(), level = of(dict, "level").readConstant();
         return checked([=](double time) { return Value(level + std::sin(2.0*M_PI*frequency*(time - start))*scale); });
     }

@@ -90,14 +90,15 @@ MaterialTable readMaterials(const CheckedEntries& top)
 
 int readWallMaterial(const CheckedEntries& top, const MaterialTable& materials)
 {
-    if (top.found("wallMaterial")) return readMaterial(top, "wallMaterial", materials);
+    if (top.foundAsSpelt("wallMaterial")) return readMaterial(top, "wallMaterial", materials);
     return materials.table.size() == 1 ? 0 : -1;
 }
 
 int readMaterialOfWall(const CheckedEntries& wall, const Scene& scene)
 {
-    const bool mayInherit = !wall.found("material") && scene.wallMaterial >= 0;
-    return mayInherit ? scene.wallMaterial : readMaterial(wall, "material", scene.materials);
+    if (!wall.found("material") && scene.wallMaterial >= 0) return scene.wallMaterial;
+    wall.require("material", "material ...; here, or wallMaterial ...; for all walls: " + joined(scene.materials.table.names()));
+    return readMaterial(wall, "material", scene.materials);
 }
 
 int readMaterialOfGrains(const CheckedEntries& source, const MaterialTable& materials)

@@ -50,7 +50,7 @@ nscd::WallMotion readOscillation(const CheckedEntries& given, int emptyAxis)
 {
     const Vec3 amplitude = given.vec("amplitude", unit::length);
     checkInPlane(given, "amplitude", amplitude, emptyAxis);
-    const double frequency = given.number("frequency", atLeast(0, unit::rate));
+    const double frequency = given.number("frequency", between(0, highestFrequency, unit::rate));
     return nscd::oscillation(amplitude, frequency, given.number("phase", anyNumber(), 0.0));
 }
 

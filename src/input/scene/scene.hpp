@@ -67,6 +67,8 @@ struct Scene
     double maxInitialOverlap = 0.01;   ///< in diameters of the smaller grain
     Place overlapPlace;
     nscd::ContactSettings contact;
+
+    bool hasClumps() const;
 };
 
 /// A path as written, as one that can be opened.

@@ -10,8 +10,15 @@
 #include "input/scene/sourceReader.hpp"
 #include "input/scene/wallReader.hpp"
 
+#include <algorithm>
+
 namespace input
 {
+
+bool Scene::hasClumps() const
+{
+    return std::any_of(sources.begin(), sources.end(), [](const GrainSource& source) { return !source.clump.members.empty(); });
+}
 
 void readScene(const CheckedEntries& top, const Surroundings& around, Scene& scene)
 {
@@ -20,7 +27,7 @@ void readScene(const CheckedEntries& top, const Surroundings& around, Scene& sce
     readWalls(top, around, scene);
     readSources(top, around, scene);
     scene.driven = readDriven(top, around.shape.emptyAxis);
-    scene.contact = readContactSettings(top, scene.materials.table, around);
+    readContactSettings(top, around, scene);
 }
 
 } // namespace input

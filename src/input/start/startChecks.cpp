@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr std::size_t nShown = 5;
+constexpr double largestOverlapOfRun = 0.1;   // in diameters of the smaller body
 
 std::string inWords(const nscd::Overlap& overlap, const nscd::Grains& grains, const nscd::Walls& walls)
 {
@@ -54,10 +55,10 @@ void checkPeriods(const nscd::PeriodicBox& box, double largestDiameter, const Pl
     }
 }
 
-std::vector<nscd::Overlap> findOverlaps(const nscd::Grains& grains, const nscd::PeriodicBox& box, const nscd::Walls& walls, const Scene& scene)
+std::vector<nscd::Overlap> findOverlaps(const nscd::Grains& grains, const nscd::PeriodicBox& box, const nscd::Walls& walls, double maxShare)
 {
-    std::vector<nscd::Overlap> overlaps = nscd::grainOverlaps(grains, box, scene.maxInitialOverlap);
-    const std::vector<nscd::Overlap> withWalls = nscd::wallOverlaps(grains, walls, scene.maxInitialOverlap);
+    std::vector<nscd::Overlap> overlaps = nscd::grainOverlaps(grains, box, maxShare);
+    const std::vector<nscd::Overlap> withWalls = nscd::wallOverlaps(grains, walls, maxShare);
     overlaps.insert(overlaps.end(), withWalls.begin(), withWalls.end());
     return overlaps;
 }
@@ -72,7 +73,7 @@ std::vector<DescribedOverlap> worstOverlaps(std::vector<nscd::Overlap> overlaps,
     return worst;
 }
 
-void refuseOverlaps(std::size_t number, std::vector<DescribedOverlap> worst, const Scene& scene)
+void refuseOverlaps(std::size_t number, std::vector<DescribedOverlap> worst, const Scene& scene, double maxShare)
 {
     if (number == 0) return;
     const auto isWorse = [](const DescribedOverlap& a, const DescribedOverlap& b) { return a.share > b.share; };
@@ -80,8 +81,11 @@ void refuseOverlaps(std::size_t number, std::vector<DescribedOverlap> worst, con
     std::string list;
     for (std::size_t k = 0; k < std::min(nShown, worst.size()); ++k) list += (k ? "; " : "") + worst[k].text;
     if (number > nShown) list += "; ...";
-    const std::string allowed = textOf("overlaps up to ", scene.maxInitialOverlap, " of the smaller diameter, distinct centers");
-    throw InputError({scene.overlapPlace, textOf("is exceeded by ", number, " pairs"), list, allowed});
+    const std::string allowed = textOf("overlaps up to ", maxShare, " of the smaller diameter, distinct centers");
+    const char* const orMore = number < nscd::mostOverlaps ? "" : "at least ";
+    throw InputError({scene.overlapPlace, textOf("is exceeded by ", orMore, number, " pairs"), list, allowed});
 }
+
+double maxOverlapOfRestart(const Scene& scene) { return std::max(scene.maxInitialOverlap, largestOverlapOfRun); }
 
 } // namespace input

@@ -29,10 +29,14 @@ struct DescribedOverlap
 /// The worst few of some overlaps, the worst first.
 std::vector<DescribedOverlap> worstOverlaps(std::vector<nscd::Overlap> overlaps, const nscd::Grains& grains, const nscd::Walls& walls);
 
-/// Refuses overlaps with their number and the worst of them; does nothing where there are none.
-void refuseOverlaps(std::size_t number, std::vector<DescribedOverlap> worst, const Scene& scene);
+/// Refuses overlaps of more than `maxShare` with their number and the worst of them; does nothing where there are none.
+void refuseOverlaps(std::size_t number, std::vector<DescribedOverlap> worst, const Scene& scene, double maxShare);
 
-/// Overlaps of more than scene.maxInitialOverlap with other grains and with walls, and grains of one center.
-std::vector<nscd::Overlap> findOverlaps(const nscd::Grains& grains, const nscd::PeriodicBox& box, const nscd::Walls& walls, const Scene& scene);
+/// Overlaps of more than `maxShare` with other grains and with walls, and grains of one center.
+std::vector<nscd::Overlap> findOverlaps(const nscd::Grains& grains, const nscd::PeriodicBox& box, const nscd::Walls& walls, double maxShare);
+
+/// Largest share that a restart may find: a run leaves less behind, more comes of walls and files that were changed since. A larger
+/// maxInitialOverlap counts, so that everything can be gone on with.
+double maxOverlapOfRestart(const Scene& scene);
 
 } // namespace input

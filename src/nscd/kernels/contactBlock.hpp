@@ -47,6 +47,7 @@ struct DefectSums
     double sumSquares;   ///< over active contacts
     double maxSquare;
     double active;       ///< number of contacts that carry an impulse before or after
+    double work = 0.0;   ///< sum of r.e over contacts, of evaluations alone [J]: see StopRule
 };
 
 /// Blocks in the order they are visited: `count` indices, or the first `count` blocks if there is no list.

@@ -15,7 +15,7 @@ namespace
 /// As solveLanes() where nothing moves along `axis` e, and n and r have no component along it. The plane's axes p, q follow e, so that t = e x n =
 /// (-n_q, n_p) and u_t = t.v - s: p_t = max(-mu p_n, min(mu p_n, r_t - u_t/W_tt)), without a root. Spins change by -(p_t - r_t)/(kappa m).
 template<class V, int axis, bool isUpdate>
-__attribute__((always_inline)) inline void solveDiscLanes(Body* bodies, ContactBlock& block, int first, typename V::Real& sum2, typename V::Real& max2, typename V::Real& active)
+__attribute__((always_inline)) inline void solveDiscLanes(Body* bodies, ContactBlock& block, int first, LaneSums<V>& sums)
 {
     using Real = typename V::Real;
     constexpr int p = (axis + 1) % 3, q = (axis + 2) % 3;
@@ -35,10 +35,12 @@ __attribute__((always_inline)) inline void solveDiscLanes(Body* bodies, ContactB
     const Real dn = pn - rn, dt = pt - rt, wn = relative.mass, wt = wn + relative.spin;
     const Real defect2 = wn*wn*(dn*dn) + wt*wt*(dt*dt);
     const Real isActive = V::select(V::max(pn, rn) > V::zero(), V::one(), V::zero());
-    sum2 += defect2*isActive;
-    max2 = V::max(max2, defect2);
-    active += isActive;
-    if (!isUpdate) return;
+    sums.add(defect2, isActive);
+    if (!isUpdate)
+    {
+        sums.work += wn*(rn*dn) + wt*(rt*dt);
+        return;
+    }
 
     const Real newP = pn*np - pt*nq, newQ = pn*nq + pt*np;
     V::store(block.r[p] + first, newP);

@@ -24,6 +24,39 @@ struct Relative
     Real spin;    ///< sum of 1/(kappa m)
 };
 
+/// DefectSums of the contacts that each lane passes over.
+template<class V>
+struct LaneSums
+{
+    using Real = typename V::Real;
+    Real squares, max, active, work;
+
+    __attribute__((always_inline)) void add(Real defect2, Real isActive)
+    {
+        squares += defect2*isActive;
+        max = V::max(max, defect2);
+        active += isActive;
+    }
+
+    DefectSums total() const
+    {
+        double sums[V::lanes], maxima[V::lanes], counts[V::lanes], works[V::lanes];
+        V::store(sums, squares);
+        V::store(maxima, max);
+        V::store(counts, active);
+        V::store(works, work);
+        DefectSums total = {0.0, 0.0, 0.0};
+        for (int l = 0; l < V::lanes; ++l)
+        {
+            total.sumSquares += sums[l];
+            total.active += counts[l];
+            total.work += works[l];
+            if (!(maxima[l] <= total.maxSquare)) total.maxSquare = maxima[l];
+        }
+        return total;
+    }
+};
+
 /// Moves the bodies of each lane by impulses d on A, -d on B at contacts with normal n: v by d/m, s = R omega by -(n x d)/(kappa m).
 /// Always inlined, as is `push`: where GCC calls a function with vectors it leaves their upper halves set behind it, and the scalar code
 /// of the rest of a step then takes a fifth longer.

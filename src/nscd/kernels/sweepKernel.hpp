@@ -19,7 +19,7 @@ namespace
 /// p_n = max(0, r_n - (u_n + b)/W_nn), p_t = Proj_{mu p_n}(r_t - u_t/W_tt). Exact, since W is diagonal for spheres and discs.
 /// An evaluation bounds friction by mu r_n as the natural map does, a sweep by the new mu p_n. Always inlined: called, its sums would go through memory.
 template<class V, bool isFrictional, bool isUpdate>
-__attribute__((always_inline)) inline void solveLanes(Body* bodies, ContactBlock& block, int first, typename V::Real& sum2, typename V::Real& max2, typename V::Real& active)
+__attribute__((always_inline)) inline void solveLanes(Body* bodies, ContactBlock& block, int first, LaneSums<V>& sums)
 {
     using Real = typename V::Real;
 
@@ -64,12 +64,15 @@ __attribute__((always_inline)) inline void solveLanes(Body* bodies, ContactBlock
         const Real wt = wn + relative.spin;
         const Real tangential2 = dx*dx + dy*dy + dz*dz - dn*dn;
         defect2 += wt*wt*V::max(V::zero(), tangential2);
+        if (!isUpdate) sums.work += wt*(rx*dx + ry*dy + rz*dz - rn*dn);
     }
     const Real isActive = V::select(V::max(pn, rn) > V::zero(), V::one(), V::zero());
-    sum2 += defect2*isActive;
-    max2 = V::max(max2, defect2);
-    active += isActive;
-    if (!isUpdate) return;
+    sums.add(defect2, isActive);
+    if (!isUpdate)
+    {
+        sums.work += wn*(rn*dn);
+        return;
+    }
 
     V::store(block.r[0] + first, px);
     V::store(block.r[1] + first, py);
@@ -81,20 +84,20 @@ __attribute__((always_inline)) inline void solveLanes(Body* bodies, ContactBlock
 template<bool isFrictional>
 struct Spheres
 {
-    template<class V, bool isUpdate, class Real>
-    __attribute__((always_inline)) static void solve(Body* bodies, ContactBlock& block, int first, Real& sum2, Real& max2, Real& active)
+    template<class V, bool isUpdate>
+    __attribute__((always_inline)) static void solve(Body* bodies, ContactBlock& block, int first, LaneSums<V>& sums)
     {
-        solveLanes<V, isFrictional, isUpdate>(bodies, block, first, sum2, max2, active);
+        solveLanes<V, isFrictional, isUpdate>(bodies, block, first, sums);
     }
 };
 
 template<int axis>
 struct Discs
 {
-    template<class V, bool isUpdate, class Real>
-    __attribute__((always_inline)) static void solve(Body* bodies, ContactBlock& block, int first, Real& sum2, Real& max2, Real& active)
+    template<class V, bool isUpdate>
+    __attribute__((always_inline)) static void solve(Body* bodies, ContactBlock& block, int first, LaneSums<V>& sums)
     {
-        solveDiscLanes<V, axis, isUpdate>(bodies, block, first, sum2, max2, active);
+        solveDiscLanes<V, axis, isUpdate>(bodies, block, first, sums);
     }
 };
 
@@ -102,26 +105,15 @@ struct Discs
 template<class V, class Local, bool isUpdate, class Prepare>
 inline DefectSums passOver(Body* bodies, ContactBlock* blocks, BlockRange range, const Prepare& prepare)
 {
-    typename V::Real sum2 = V::zero(), max2 = V::zero(), active = V::zero();
+    LaneSums<V> sums = {V::zero(), V::zero(), V::zero(), V::zero()};
     for (std::size_t k = 0; k < range.count; ++k)
     {
         prefetch(bodies, blocks, range, k);
         ContactBlock& block = blocks[range[k]];
         prepare(block, k);
-        for (int first = 0; first < blockLanes; first += V::lanes) Local::template solve<V, isUpdate>(bodies, block, first, sum2, max2, active);
+        for (int first = 0; first < blockLanes; first += V::lanes) Local::template solve<V, isUpdate>(bodies, block, first, sums);
     }
-    double sums[V::lanes], maxima[V::lanes], counts[V::lanes];
-    V::store(sums, sum2);
-    V::store(maxima, max2);
-    V::store(counts, active);
-    DefectSums total = {0.0, 0.0, 0.0};
-    for (int l = 0; l < V::lanes; ++l)
-    {
-        total.sumSquares += sums[l];
-        total.active += counts[l];
-        if (!(maxima[l] <= total.maxSquare)) total.maxSquare = maxima[l];
-    }
-    return total;
+    return sums.total();
 }
 
 template<class V, class Local, bool isUpdate>

@@ -21,6 +21,8 @@ struct ContactSettings
     double tolerance = 1e-2;
     /// Largest velocity defect times dt allowed, in d.
     double displacementTolerance = 3e-4;
+    /// Share of the forces on grains that may not have come down to what carries them: see StopRule.
+    double forceTolerance = 1e-2;
     /// Sweeps after which a solve gives up, counted and reported.
     int maxSweeps = 1000;
     /// Sweeps a step may add, once its tolerance is met, to come nearer to rest where the grains hardly move; 0: none.

@@ -134,6 +134,7 @@ void checkSettings(const ContactSettings& settings)
 {
     checkPositive("tolerance", settings.tolerance);
     checkPositive("displacementTolerance", settings.displacementTolerance);
+    checkPositive("forceTolerance", settings.forceTolerance);
     checkPositive("overlapTolerance", settings.overlapTolerance);
     checkNotNegative("deadBand", settings.deadBand);
     checkNotNegative("skin", settings.skin);

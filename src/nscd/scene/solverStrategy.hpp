@@ -21,6 +21,14 @@ struct SolverStrategy
         double loneDefect = 10.0;   ///< largest defect over the rms limit [-]: a grain that can roll is driven by what a single contact is off by
     } polish;
 
+    /// In a flow whose velocities are met, forces are given so many more sweeps; then the step says by how much they are off. Plugs between a belt and a plate that
+    /// presses on it may have no solution at all: to the cap, a layer of 395 discs sheared so takes six times as long, and is not right either.
+    struct Forces
+    {
+        int leastSweeps = 20;
+        double share = 2.0;         ///< of the sweeps that velocities took
+    } forces;
+
     /// After a sweep of a flow the residual is looked at where it may meet the rule though what the sweep met did not. A look costs most of a sweep.
     struct Looks
     {

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What a contact solve and a step report of themselves.
+// Tested by tests/unit/nscd/scene/stepWarningsTest.cpp
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
-#include <string>
 
 namespace nscd
 {
@@ -15,13 +15,15 @@ struct SolveReport
 {
     int sweeps = 0;
     int newtonSteps = 0;        ///< of the direct method, where it was used
-    bool converged = true;
+    bool converged = true;      ///< velocities and forces: see StopRule
+    bool atCap = false;         ///< not converged, and no sweep left
     double residualRms = 0.0;   ///< natural map over active contacts, rms [m/s]
     double residualMax = 0.0;   ///< natural map, largest [m/s]
     double speedScale = 0.0;    ///< what the tolerance multiplies [m/s]
+    double forceError = 0.0;    ///< share of the forces on grains that has not come down to what carries them [-]: see StopRule
     std::size_t contacts = 0;   ///< contacts that carry an impulse
     /// Largest ratio of masses across a loaded contact, where it is so large that forces can be wrong though velocities have
-    /// converged, and the direct method could not be used; 0: nothing to fear. See warning().
+    /// converged, and the direct method could not be used; 0: nothing to fear. See warning() in stepWarnings.hpp.
     double hiddenMassRatio = 0.0;
     int stepsAtCap = 0;         ///< steps in a row that ended at the cap of sweeps, this one included; see warning()
     /// Work of the impulses of a step with restitution, from the free velocities to the last ones, and what the residual may have of it
@@ -40,6 +42,7 @@ struct StepReport
     bool listRebuilt = false;
     double overlapMax = 0.0;          ///< over contacts that carry an impulse, in d
     double overlapMean = 0.0;
+    double overlapUncorrected = 0.0;  ///< the deepest before the overlap correction, loaded or not, in d
     int correctionSweeps = 0;         ///< of the overlap correction
     double maxDisplacement = 0.0;     ///< of any grain in this step, in d
     std::size_t asleep = 0;           ///< grains that sleep; figures of `solve` and overlapMean leave contacts between them out
@@ -60,8 +63,10 @@ inline SolveReport worstOf(const SolveReport& before, const SolveReport& next)
 {
     SolveReport worst = together(before, next);
     worst.converged = before.converged && next.converged;
+    worst.atCap = before.atCap || next.atCap;
     worst.residualRms = std::max(before.residualRms, next.residualRms);
     worst.residualMax = std::max(before.residualMax, next.residualMax);
+    worst.forceError = std::max(before.forceError, next.forceError);
     worst.stepsAtCap = std::max(before.stepsAtCap, next.stepsAtCap);
     if (before.reboundShare < next.reboundShare)
     {
@@ -72,9 +77,6 @@ inline SolveReport worstOf(const SolveReport& before, const SolveReport& next)
     return worst;
 }
 
-/// What a user should know of a solve beyond its figures; empty: nothing.
-std::string warning(const SolveReport& report);
-
 /// The report of several steps in a row as one: sums of sweeps, the worst of the rest; `count` steps with `next`.
 inline StepReport worstOf(const StepReport& before, const StepReport& next, int count)
 {
@@ -84,6 +86,7 @@ inline StepReport worstOf(const StepReport& before, const StepReport& next, int 
     worst.listRebuilt = before.listRebuilt || next.listRebuilt;
     worst.overlapMax = std::max(before.overlapMax, next.overlapMax);
     worst.overlapMean = std::max(before.overlapMean, next.overlapMean);
+    worst.overlapUncorrected = std::max(before.overlapUncorrected, next.overlapUncorrected);
     worst.correctionSweeps += before.correctionSweeps;
     worst.maxDisplacement = std::max(before.maxDisplacement, next.maxDisplacement);
     return worst;

@@ -20,6 +20,7 @@ namespace
 constexpr double piece = 0.01;       // [s]
 constexpr int maxHalvings = 40;      // of a piece, down to round-off of times of seconds
 constexpr double accuracy = 1e-13;   // of a piece, relative to what it would be without changes of sign
+constexpr long maxValues = 20000000; // of a function over a piece, a second of work: enough for oscillations of 2e4 Hz
 
 double size(double x) { return std::abs(x); }
 double size(const Vec3& x) { return x.norm(); }
@@ -29,8 +30,12 @@ template<class Value>
 Value simpson(double step, const Value& a, const Value& middle, const Value& b) { return step/6.0*(a + 4.0*middle + b); }
 
 template<class Value, class Function>
-Value integrate(const Function& f, double from, double step, const Value& a, const Value& middle, const Value& b, double tolerance, int halvings)
+Value integrate
+(
+    const Function& f, double from, double step, const Value& a, const Value& middle, const Value& b, double tolerance, int halvings, long& valuesLeft
+)
 {
+    if ((valuesLeft -= 2) < 0) throw invalidValue("integral of a function of time", "not found", "a function that oscillates at most 2e4 times a second");
     const Value left = f(from + 0.25*step), right = f(from + 0.75*step);
     const Value coarse = simpson(step, a, middle, b);
     const Value halves[2] = {simpson(0.5*step, a, left, middle), simpson(0.5*step, middle, right, b)};
@@ -39,8 +44,8 @@ Value integrate(const Function& f, double from, double step, const Value& a, con
     const double scale = std::abs(step)*(size(a) + size(left) + size(middle) + size(right) + size(b));
     // Not for what is no number either, which halves for ever.
     if (halvings == 0 || !(size(Value(fine - coarse)) > std::max(tolerance, accuracy*scale))) return fine;
-    return integrate<Value>(f, from, 0.5*step, a, left, middle, tolerance, halvings - 1)
-         + integrate<Value>(f, from + 0.5*step, 0.5*step, middle, right, b, tolerance, halvings - 1);
+    return integrate<Value>(f, from, 0.5*step, a, left, middle, tolerance, halvings - 1, valuesLeft)
+         + integrate<Value>(f, from + 0.5*step, 0.5*step, middle, right, b, tolerance, halvings - 1, valuesLeft);
 }
 
 template<class Value, class Function>
@@ -48,7 +53,8 @@ Value integrate(const Function& f, double from, double to)
 {
     const double step = to - from;
     const Value a = f(from), middle = f(from + 0.5*step), b = f(to);
-    return integrate<Value>(f, from, step, a, middle, b, accuracy*std::abs(step)*(size(a) + size(middle) + size(b)), maxHalvings);
+    long valuesLeft = maxValues;
+    return integrate<Value>(f, from, step, a, middle, b, accuracy*std::abs(step)*(size(a) + size(middle) + size(b)), maxHalvings, valuesLeft);
 }
 
 /// The integral at the ends of the pieces passed so far is kept.

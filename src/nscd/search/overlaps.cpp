@@ -31,6 +31,9 @@ public:
         const Vec3 extent = bounds_.isEmpty() ? Vec3::Zero() : Vec3(bounds_.sizes());
         const double perGrain = extent.prod()/std::max<std::size_t>(1, grains.size());
         size_ = std::max(2*meanRadius, std::cbrt(perGrain));
+        // Grains in a line, or one far away, would have many more cubes.
+        const double most = 4.0*grains.size() + 64.0;
+        while ((extent.array()/size_ + 1.0).prod() > most) size_ *= 1.26;
         for (int k = 0; k < 3; ++k) count_[k] = 1 + static_cast<long>(extent[k]/size_);
         sort(grains);
     }
@@ -83,6 +86,14 @@ private:
     std::vector<std::size_t> order_;
 };
 
+Overlap overlapOf(const Grains& grains, const BodyPair& pair, const PeriodicBox& box)
+{
+    Vec3 difference = grains.position[pair.a] - grains.position[pair.b];
+    for (int k = 0; k < 3; ++k) difference[k] -= pair.image[k]*box.length[k];
+    const double ra = grains.radius[pair.a], rb = grains.radius[pair.b], distance = difference.norm();
+    return {std::size_t(pair.a), pair.b, (ra + rb - distance)/(2*std::min(ra, rb)), distance < 1e-10*(ra + rb)};
+}
+
 } // namespace
 
 std::vector<Overlap> grainOverlaps(const Grains& grains, const PeriodicBox& box, double maxShare)
@@ -91,22 +102,17 @@ std::vector<Overlap> grainOverlaps(const Grains& grains, const PeriodicBox& box,
     if (grains.size() == 0) return found;
     const double maxRadius = *std::max_element(grains.radius.begin(), grains.radius.end());
     const std::vector<int> bodyOf = bodyOfGrains(grains);
-    for (const BodyPair& pair : findPairs(grains.position, grains.radius, box, maxRadius))
+    PairSearch().findInPieces(grains.position, grains.radius, box, maxRadius, [&](const std::vector<BodyPair>& pairs)
     {
-        if (!bodyOf.empty() && bodyOf[pair.a] >= 0 && bodyOf[pair.a] == bodyOf[pair.b]) continue;
-        Vec3 difference = grains.position[pair.a] - grains.position[pair.b];
-        for (int k = 0; k < 3; ++k) difference[k] -= pair.image[k]*box.length[k];
-        const double ra = grains.radius[pair.a];
-        const double rb = grains.radius[pair.b];
-        const double distance = difference.norm();
-        const double share = (ra + rb - distance)/(2*std::min(ra, rb));
-        const bool isCoincident = distance < 1e-10*(ra + rb);
-        const bool areFixed = grains.isFixed[pair.a] && grains.isFixed[pair.b];
-        if (isCoincident || (share > maxShare && !areFixed))
+        for (const BodyPair& pair : pairs)
         {
-            found.push_back({std::size_t(pair.a), pair.b, share, isCoincident});
+            if (!bodyOf.empty() && bodyOf[pair.a] >= 0 && bodyOf[pair.a] == bodyOf[pair.b]) continue;
+            const Overlap overlap = overlapOf(grains, pair, box);
+            const bool areFixed = grains.isFixed[pair.a] && grains.isFixed[pair.b];
+            if (overlap.isCoincident || (overlap.share > maxShare && !areFixed)) found.push_back(overlap);
         }
-    }
+        return found.size() < mostOverlaps;
+    });
     return found;
 }
 
@@ -116,7 +122,7 @@ std::vector<Overlap> wallOverlaps(const Grains& grains, const Walls& walls, doub
     if (grains.size() == 0) return found;
     const GrainBins bins(grains);
     const double maxRadius = *std::max_element(grains.radius.begin(), grains.radius.end());
-    for (std::size_t w = 0; w < walls.regions.size(); ++w)
+    for (std::size_t w = 0; w < walls.regions.size() && found.size() < mostOverlaps; ++w)
     {
         const WallRegion& region = walls.regions[w];
         const bool isPlane = region.edges.empty();

@@ -22,10 +22,13 @@ struct Overlap
     bool isCoincident;   ///< centers of two grains in one point
 };
 
-/// Overlaps between grains of more than `maxShare`, and all coincident centers.
+/// When as many are found the search ends: grains everywhere in one another may have more overlaps than memory holds.
+constexpr std::size_t mostOverlaps = 100000;
+
+/// Overlaps between grains of more than `maxShare`, and coincident centers; all of them where they are fewer than mostOverlaps.
 std::vector<Overlap> grainOverlaps(const Grains& grains, const PeriodicBox& box, double maxShare);
 
-/// Overlaps of more than `maxShare` between grains whose centers lie in the domain and walls.
+/// Overlaps of more than `maxShare` between grains whose centers lie in the domain and walls; likewise.
 std::vector<Overlap> wallOverlaps(const Grains& grains, const Walls& walls, double maxShare);
 
 } // namespace nscd

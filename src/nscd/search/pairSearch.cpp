@@ -44,6 +44,8 @@ unsigned signs(Two a)
 constexpr int chunk = CellGrid::padding;   // members tested at once
 constexpr int chunksAtOnce = 8;            // their bits fill a word
 
+constexpr std::size_t pairsInPiece = 5000;
+
 double square(double a) { return a*a; }
 
 /// Looks one body after the other up in a grid. Which members are near is hard to foretell, so tests do not branch: bits are collected.
@@ -247,21 +249,22 @@ void PairSearch::groupByOctave(const std::vector<double>& size)
     grids_.erase(std::remove_if(grids_.begin(), grids_.end(), [](const CellGrid& grid) { return grid.bodies.empty(); }), grids_.end());
 }
 
-const std::vector<BodyPair>& PairSearch::find
-(
-    const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius
-)
+/// Looks up one body after the other, and asks after each whether that is enough.
+template<class IsEnough>
+void PairSearch::lookUp(const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, const IsEnough& isEnough)
 {
-    checkPeriods(box, maxRadius);
     found_.clear();
-    sorted_.clear();
-    if (position.empty()) return sorted_;
+    if (position.empty()) return;
     groupByOctave(size);
     for (CellGrid& grid : grids_)
     {
         grid.fill(position, size, box);
         Look look(grid, box, found_);
-        for (int place : grid.placeOf) look.around(place);
+        for (int place : grid.placeOf)
+        {
+            look.around(place);
+            if (isEnough()) return;
+        }
     }
     for (std::size_t level = 1; level < grids_.size(); ++level)
     {
@@ -269,9 +272,23 @@ const std::vector<BodyPair>& PairSearch::find
         for (std::size_t finer = 0; finer < level; ++finer)
         {
             Look look(grids_[finer], box, found_);
-            for (int m : coarse.placeOf) look.within(coarse.body[m], coarse.x[0][m], coarse.x[1][m], coarse.x[2][m], coarse.size[m]);
+            for (int m : coarse.placeOf)
+            {
+                look.within(coarse.body[m], coarse.x[0][m], coarse.x[1][m], coarse.x[2][m], coarse.size[m]);
+                if (isEnough()) return;
+            }
         }
     }
+}
+
+const std::vector<BodyPair>& PairSearch::find
+(
+    const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius
+)
+{
+    checkPeriods(box, maxRadius);
+    sorted_.clear();
+    lookUp(position, size, box, [] { return false; });
 
     // By first body, keeping the order of discovery within one.
     next_.assign(position.size() + 1, 0);
@@ -280,6 +297,26 @@ const std::vector<BodyPair>& PairSearch::find
     sorted_.resize(found_.size());
     for (const BodyPair& pair : found_) sorted_[next_[pair.a]++] = pair;
     return sorted_;
+}
+
+void PairSearch::findInPieces
+(
+    const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius, const TakePairs& take
+)
+{
+    checkPeriods(box, maxRadius);
+    bool isEnough = false;
+    const auto handOver = [&]
+    {
+        isEnough = !take(found_);
+        found_.clear();
+    };
+    lookUp(position, size, box, [&]
+    {
+        if (found_.size() >= pairsInPiece) handOver();
+        return isEnough;
+    });
+    if (!isEnough) handOver();
 }
 
 std::vector<BodyPair> findPairs

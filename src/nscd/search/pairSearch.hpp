@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace nscd
@@ -34,8 +35,20 @@ public:
         const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius
     );
 
+    /// Takes some pairs; false: no more are wanted.
+    using TakePairs = std::function<bool(const std::vector<BodyPair>&)>;
+
+    /// The same pairs in no order, a few thousand at a time, for scenes that may have more of them than memory holds.
+    /// Errors:   as find
+    void findInPieces
+    (
+        const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius, const TakePairs& take
+    );
+
 private:
     void groupByOctave(const std::vector<double>& size);
+    template<class IsEnough>
+    void lookUp(const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, const IsEnough& isEnough);
 
     std::vector<CellGrid> grids_;   ///< finest first
     std::vector<BodyPair> found_, sorted_;

@@ -16,7 +16,7 @@ SolveReport solveDirect(ContactProblem& problem, const ContactSettings& settings
     const StopRule rule = makeStopRule(problem, settings, residual(problem));
     report.newtonSteps = DirectSolve(problem).run(rule, directFineness);
     wakeBlocks(problem);
-    reportResidual(report, rule, residual(problem));
+    reportResidual(report, rule, problem);
     if (report.converged) return report;
     const int steps = report.newtonSteps;
     report = solveNlgs(problem, settings);

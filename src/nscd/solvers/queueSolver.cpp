@@ -27,16 +27,17 @@ SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings)
     do
     {
         visits += queue.work(queue.slots(), threshold, maxVisits - visits);
-        reportResidual(report, rule, residual(problem));
+        reportResidual(report, rule, problem);
         threshold *= 0.5;
     }
     while (!report.converged && visits < maxVisits);
     if (report.converged && finest < threshold)
     {
         visits += queue.work(queue.slots(), finest, used*static_cast<std::size_t>(settings.polishSweeps));
-        reportResidual(report, rule, residual(problem));
+        reportResidual(report, rule, problem);
     }
     report.sweeps = static_cast<int>((visits + used - 1)/used);
+    report.atCap = !report.converged;
     return report;
 }
 

@@ -81,6 +81,12 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
     list.halo.giveBodies(list.bodies);
 }
 
+void keepVelocities(const ContactList& list, std::vector<Vec3>& velocity)
+{
+    velocity.resize(static_cast<std::size_t>(list.owned()));
+    for (std::size_t body = 0; body < velocity.size(); ++body) velocity[body] = Vec3(list.bodies[body].v);
+}
+
 bool isInPlane(const ContactList& list, int axis)
 {
     const int p = (axis + 1) % 3, q = (axis + 2) % 3;

@@ -17,6 +17,9 @@ namespace nscd
 /// Errors:  std::invalid_argument for a force that is not finite, naming the grain
 void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const GrainSleep& sleep);
 
+/// Copies the velocities of the list's own bodies [m/s].
+void keepVelocities(const ContactList& list, std::vector<Vec3>& velocity);
+
 /// Whether, to the bit, no body moves along an axis or turns about another one, and all lie in one plane, on this rank.
 bool isInPlane(const ContactList& list, int axis);
 

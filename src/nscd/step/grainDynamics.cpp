@@ -120,6 +120,7 @@ void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
     const Stopwatch watch(times.buildContacts);
     setFreeVelocities(list, grains, external, deltaT, sleep);
     if (!list.general.empty()) setFreeGeneral(list, grains, external, deltaT);
+    keepVelocities(list, freeVelocity);
     movingWalls.setVelocities(list, box, grains.shape.emptyAxis);
     if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
     chooseKernelsOfStep();
@@ -138,6 +139,7 @@ ContactProblem GrainDynamics::Implementation::makeProblem(double speedScale)
     problem.laws = list.laws.areSwept() ? &list.laws : nullptr;
     problem.general = list.general.empty() ? nullptr : &list.general;
     problem.packing = &packing;
+    problem.freeVelocity = &freeVelocity;
     return problem;
 }
 
@@ -174,6 +176,7 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
 {
     updateGeometry(list, scene());
     OverlapStatistics overlap = measureOverlap(list);
+    report.overlapUncorrected = std::max(overlap.deepest, 0.0)/diameter;
     const double tolerance = settings.overlapTolerance*diameter;
     if (overlap.deepest > tolerance)
     {
@@ -286,7 +289,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);
     if (self.maySleep()) self.letSleep(external, report);
-    self.stepsAtCap = report.solve.converged ? 0 : self.stepsAtCap + 1;
+    self.stepsAtCap = report.solve.atCap ? self.stepsAtCap + 1 : 0;
     report.solve.stepsAtCap = self.stepsAtCap;
     self.lastReport = report;
     self.isStepBegun = false;

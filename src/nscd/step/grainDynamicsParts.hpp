@@ -53,6 +53,7 @@ struct GrainDynamics::Implementation
     double overlapAsleep = 0.0;   // largest of contacts when grains fell asleep last [m]
     int stepsAtCap = 0;           // in a row
     PackedContacts packing;
+    std::vector<Vec3> freeVelocity;   // of the list's own bodies in the present solve [m/s]
     StepReport lastReport;
     bool isStepBegun = false;
     ImpulseRecord beforeStep;     // kept where laws act by it

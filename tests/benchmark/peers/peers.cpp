@@ -28,7 +28,7 @@ using Options = std::map<std::string, std::string>;
 Options read(int argc, char** argv, int first)
 {
     const nscd::ContactSettings s;
-    Options options{{"deltaT", "1e-3"}, {"tolerance", std::to_string(s.tolerance)}, {"displacementTolerance", std::to_string(s.displacementTolerance)},
+    Options options{{"deltaT", "1e-3"}, {"tolerance", std::to_string(s.tolerance)}, {"displacementTolerance", std::to_string(s.displacementTolerance)}, {"forceTolerance", std::to_string(s.forceTolerance)},
                     {"overlapTolerance", std::to_string(s.overlapTolerance)}, {"maxSweeps", std::to_string(s.maxSweeps)}, {"skin", std::to_string(s.skin)},
                     {"sleep", "0"}, {"steps", "20"}, {"warmUp", "2"}, {"time", "0.4"}, {"every", "0.01"}, {"out", ""}, {"solver", s.solver},
                     {"vectorPath", s.vectorPath}, {"samples", "5"}, {"polishSweeps", std::to_string(s.polishSweeps)}};
@@ -49,6 +49,7 @@ nscd::ContactSettings settingsOf(const Options& o)
     nscd::ContactSettings settings;
     settings.tolerance = number(o, "tolerance");
     settings.displacementTolerance = number(o, "displacementTolerance");
+    settings.forceTolerance = number(o, "forceTolerance");
     settings.overlapTolerance = number(o, "overlapTolerance");
     settings.maxSweeps = int(number(o, "maxSweeps"));
     settings.polishSweeps = int(number(o, "polishSweeps"));

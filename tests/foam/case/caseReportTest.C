@@ -6,6 +6,7 @@
 
 #include "coupling/case/log/grainReport.H"
 #include "coupling/case/log/logText.H"
+#include "coupling/case/log/progressLog.H"
 #include "coupling/case/log/timingTable.H"
 #include "coupling/case/start/grainScene.H"
 #include "coupling/case/walls/grainExits.H"
@@ -72,21 +73,29 @@ TEST(GrainReport, everyRowIsOnDiskAtOnceWithEveryDigit)
     row.time = 1.0/3;
     row.deltaT = 1e-4/3;
     row.grains = 12345678901;
-    row.contacts = 7;
-    row.sweeps = 5;
-    row.converged = false;
-    row.residualRms = 1e-9/7;
-    row.residualMax = 2;
-    row.overlapMax = 3;
-    row.overlapMean = 4;
+    row.report.solve.contacts = 7;
+    row.report.solve.sweeps = 5;
+    row.report.solve.converged = false;
+    row.report.solve.residualRms = 1e-9/7;
+    row.report.solve.residualMax = 2;
+    row.report.solve.forceError = 22;
+    row.report.overlapMax = 3;
+    row.report.overlapMean = 4;
+    row.report.overlapUncorrected = 23;
     row.kineticEnergy = 6;
     row.massCenter = vector(8, 9, 10);
     row.wallForce = vector(11, 12, 13);
     row.grainVolume = 14;
     row.momentumError = 1e-17/3;
+    row.momentumDebt = 21;
+    row.solidVolume = 24;
+    row.volumeOutside = 25;
+    row.volumeMoved = 26;
+    row.volumeUnresolved = 27;
+    row.volumeError = 28;
     report.write(row);
     row.time = 0.5;
-    row.converged = true;
+    row.report.solve.converged = true;
     report.write(row);
 
     // The report is still open, as it is when a run is killed.
@@ -97,7 +106,8 @@ TEST(GrainReport, everyRowIsOnDiskAtOnceWithEveryDigit)
         {"time", 1.0/3}, {"deltaT", 1e-4/3}, {"grains", 12345678901.0}, {"contacts", 7}, {"sweeps", 5}, {"converged", 0},
         {"residualRms", 1e-9/7}, {"residualMax", 2}, {"overlapMax", 3}, {"overlapMean", 4}, {"kineticEnergy", 6},
         {"massCenterX", 8}, {"massCenterY", 9}, {"massCenterZ", 10}, {"wallForceX", 11}, {"wallForceY", 12},
-        {"wallForceZ", 13}, {"grainVolume", 14}, {"momentumError", 1e-17/3}
+        {"wallForceZ", 13}, {"grainVolume", 14}, {"momentumError", 1e-17/3}, {"momentumDebt", 21}, {"forceError", 22},
+        {"overlapUncorrected", 23}, {"solidVolume", 24}, {"volumeOutside", 25}, {"volumeMoved", 26}, {"volumeUnresolved", 27}, {"volumeError", 28}
     };
     const std::map<std::string, double> given = rowOf(lines, 0);
     for (const auto& value : expected) EXPECT_EQ(given.at(value.first), value.second) << value.first;
@@ -126,11 +136,76 @@ TEST(TimingTable, addsUpWhatEachPartTook)
     EXPECT_GT(timing.seconds(StepPart::sampleFluid), 0);
 }
 
+TEST(ProgressLog, saysOnceWhatIsDoneWithoutBeingAskedFor)
+{
+    const auto notesOf = [](const FluidSummary& fluid, const StepRow& row)
+    {
+        BoxMesh box;
+        OStringStream os;
+        ProgressLog log(box.time(), os, true);
+        log.step(StepRow(), FluidSummary());
+        log.step(row, fluid);
+        log.step(row, fluid);
+        std::vector<std::string> notes;
+        std::istringstream lines(os.str());
+        for (std::string line; std::getline(lines, line);)
+        {
+            if (line.compare(0, 8, "  Note: ") == 0) notes.push_back(line.substr(8));
+        }
+        return notes;
+    };
+    const FluidSummary plain;
+    FluidSummary lagged, owing, owingLittle;
+    StepRow moving;
+    lagged.isLagged = true;
+    owing.owedShare = 0.02;
+    owingLittle.owedShare = 0.005;
+    moving.volumeMoved = 1e-9;
+    EXPECT_TRUE(notesOf(plain, StepRow()).empty());
+    EXPECT_TRUE(notesOf(owingLittle, StepRow()).empty());
+    const std::vector<std::tuple<FluidSummary, StepRow, const char*>> cases =
+    {
+        {lagged, StepRow(), "without a predictor"}, {owing, StepRow(), "half of what they owe"}, {plain, moving, "minFluidFraction"}
+    };
+    for (const auto& [fluid, row, words] : cases)
+    {
+        const std::vector<std::string> notes = notesOf(fluid, row);
+        ASSERT_EQ(notes.size(), 1u);
+        EXPECT_NE(notes[0].find(words), std::string::npos) << notes[0];
+    }
+}
+
+// Of every kind: how many steps, the first, the worst.
+TEST(ProgressLog, countsWarningsInItsSummary)
+{
+    BoxMesh box;
+    OStringStream os;
+    ProgressLog log(box.time(), os, true);
+    for (int k = 1; k <= 4; ++k)
+    {
+        StepRow row;
+        row.time = 0.25*k;
+        row.grainVolume = 1;
+        row.volumeOutside = k == 3 ? 0.5 : 0.002*(k > 1);
+        row.report.solve.hiddenMassRatio = k == 4 ? 1e4 : 0;
+        row.report.overlapUncorrected = 0.01*k;
+        log.step(row, FluidSummary());
+    }
+    log.finish(TimingTable());
+    EXPECT_TRUE(holds(os.str(),
+    {
+        "grains outside the mesh 3 steps, first at 0.5 s, worst 0.5 of the grains' volume",
+        "unlike masses          1 steps, first at 1 s, worst 1e+04 times as heavy",
+        "before its correction 0.04 d"
+    })) << os.str();
+}
+
 TEST(LogText, durationsReadAsAClock)
 {
     EXPECT_EQ(clockText(0.4), "0:00:00");
     EXPECT_EQ(clockText(59.6), "0:01:00");
     EXPECT_EQ(clockText(100*3600 + 61), "100:01:01");
+    EXPECT_EQ(clockText(1e60), "277777777:46:40");
 }
 
 namespace

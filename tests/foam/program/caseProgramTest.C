@@ -5,8 +5,12 @@
 #include "caseTools.H"
 #include "programCase.H"
 
+#include "nscd/base/folderLock.hpp"
+
 #include "IFstream.H"
 #include "OSspecific.H"
+
+#include <fstream>
 
 using namespace Foam;
 using namespace Foam::nscdCoupling::testing;
@@ -96,8 +100,62 @@ TEST(Program, stopsAtTimeControlsThatAreNotPositive)
 {
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "deltaT 0;"), {"system/controlDict", "deltaT"}));
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "deltaT -1e-3;"), {"system/controlDict", "deltaT"}));
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), "endTime 7e77;"), {"system/controlDict", "keyword endTime is too large"}));
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "writeControl runTime; writeInterval -1;"), {"controlDict", "writeInterval"}));
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "adjustTimeStep yes; maxDeltaT -1;"), {"controlDict", "maxDeltaT"}));
+}
+
+TEST(Program, stopsInWordsAtTextThatOpenFOAMCannotRead)
+{
+    const std::string pressure = "dimensions [1 -1 -2 0 0 0 0];\ninternalField uniform ", boundary = "; boundaryField { \".*\" { type zeroGradient; } }";
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), "\nmaxCo 1e999;"), {"system/controlDict", "line 3", "keyword maxCo", "1e999"}));
+    EXPECT_TRUE(isRefusedWith("0/p_rgh", pressure + "1e999" + boundary, {"0/p_rgh", "line 3", "no computer holds", "1e999"}));
+    EXPECT_TRUE(isRefusedWith("0/p_rgh", pressure + "-1e200" + boundary, {"0/p_rgh", "line 3", "too large", "1e+30"}));
+    EXPECT_TRUE(isRefusedWith("system/fvSolution", "solvers { p { tolerance 1e999; } }", {"fvSolution", "solvers.p.tolerance", "1e999"}));
+    std::string deep = "simulationType laminar; ";
+    for (int k = 0; k < 100000; ++k) deep += "a { ";
+    EXPECT_TRUE(isRefusedWith("constant/turbulenceProperties", deep, {"turbulenceProperties", "nested too deep"}));
+}
+
+TEST(Program, stopsInWordsAtAMeshWhoseFilesDoNotFit)
+{
+    const ProgramCase c;
+    const auto isRefusedWithEdit = [&](const std::string& file, const std::string& from, const std::string& to, const std::vector<std::string>& pieces)
+    {
+        const std::string path = "constant/polyMesh/" + file, text = c.contents(path);
+        const std::size_t at = text.find(from);
+        std::ofstream(c.path(path)) << std::string(text).replace(at, from.size(), to);
+        const ::testing::AssertionResult result = isRefused(c, pieces);
+        std::ofstream(c.path(path)) << text;
+        return result;
+    };
+    EXPECT_TRUE(isRefusedWithEdit("owner", "\n(\n0\n", "\n(\n99999\n", {"polyMesh/owner", "leaves cell 128 too few faces"}));
+    EXPECT_TRUE(isRefusedWithEdit("neighbour", "\n(\n1\n", "\n(\n99999\n", {"polyMesh/owner", "leaves cell 128 too few faces"}));
+    EXPECT_TRUE(isRefusedWithEdit("points", "(0 0 0)", "(1e200 0 0)", {"polyMesh/points", "too far away"}));
+    EXPECT_TRUE(isRefusedWithEdit("points", "(0 0 0)", "(1e999 0 0)", {"polyMesh/points", "no computer holds"}));
+    EXPECT_TRUE(isRefusedWithEdit("boundary", "startFace", "startFace 7; old", {"polyMesh/boundary", "begins patch left elsewhere"}));
+    EXPECT_TRUE(succeeds(c.run()));
+}
+
+/// OpenFOAM divides by what stands there, or runs for ever, once it has seen the edit (it looks for files 10 s newer; here any is seen).
+TEST(Program, stopsInWordsAtAControlDictEditedWhileItRuns)
+{
+    const std::vector<std::pair<std::string, std::string>> edits =
+    {
+        {"writeInterval", "writeControl adjustableRunTime; writeInterval 0;"}, {"writeInterval", "writeControl runTime; writeInterval -1;"},
+        {"deltaT", "deltaT 0;"}, {"maxCo", "adjustTimeStep yes; maxCo -1;"}
+    };
+    for (const auto& [keyword, edit] : edits)
+    {
+        const std::string control = "runTimeModifiable yes; endTime 2; writeInterval 100000;";
+        const ProgramCase c(Files{{"constant/grainProperties", grains + "fluid none;"}}, control);
+        c.write("edited", "startFrom latestTime; startTime 0; stopAt endTime; deltaT 1e-3; " + control + "\n" + edit);
+        std::ofstream(c.path("Allrun")) << "cd " << c.path("") << "\n$FOAM_USER_APPBIN/nscdDEMFoam > log.edited 2>&1 &\n"
+            << "until grep -q ^0.003 postProcessing/grains/0/report.csv 2> /dev/null || ! kill -0 $!; do sleep 0.01; done\n"
+            << "touch edited; mv edited system/controlDict\nwait $!\n";
+        EXPECT_NE(std::system(("bash " + c.path("Allrun") + " > /dev/null 2>&1").c_str()), 0) << edit;
+        EXPECT_TRUE(holds(c.contents("log.edited"), {"system/controlDict", "line 3", "keyword " + keyword})) << edit;
+    }
 }
 
 TEST(Program, runsWithTheShortestGrainProperties)
@@ -110,6 +168,36 @@ TEST(Program, runsWithTheShortestGrainProperties)
     {
         EXPECT_TRUE(isFile(c.path("0.01")/file)) << file;
     }
+}
+
+/// 10 mm/s superficially through a floor where grains leave less than all of the area to the fluid.
+TEST(Program, tellsTheFlowOfEachInlet)
+{
+    const std::string walls = "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { "
+        "\"(left|right|bottom|top)\" { type noSlip; } back { type pressureInletOutletVelocity; value uniform (0 0 0); } ";
+    const Files files
+    {
+        {"0/U", walls + "front { type interstitialInletVelocity; inletVelocity uniform (0 0 0.01); alpha alpha.fluid; value uniform (0 0 0); } }"},
+        {"constant/grainProperties",
+            "materials { glass { density 2500; } } contacts { default { friction 0.3; } } fluid solved; motion fixed;"
+            "grains { type lattice; box (0 0 0) (0.1 0.1 0.05); count (5 5 2); diameter 0.02; }"
+            "patches { front { type wall; } back { type exit; } }"}
+    };
+    const ProgramRun run = ProgramCase(files).run();
+    EXPECT_TRUE(succeeds(run));
+    // 25 grains of 0.02 m in a layer of cells 0.025 m high: 1 - pi/6 0.02^3/0.025/0.02^2 = 0.5811 of the volume is fluid's.
+    EXPECT_TRUE(holds(run.log, {"front: 0.01 m/s superficial, 0.01721 m/s interstitial (alpha.fluid 0.5811), 0.0001 m3/s"})) << run.log;
+    EXPECT_EQ(ProgramCase().run().log.find("superficial"), std::string::npos);
+}
+
+/// As the Allrun and Allclean of OpenFOAM's tutorials do.
+TEST(Program, isRunByTheFunctionsOfOpenFOAMsTutorials)
+{
+    const ProgramCase c;
+    std::ofstream(c.path("Allrun")) << "cd " << c.path("") << "\n. $WM_PROJECT_DIR/bin/tools/RunFunctions\nrunApplication $(getApplication)\n"
+        << ". $WM_PROJECT_DIR/bin/tools/CleanFunctions\ntest -e log.nscdDEMFoam && grep End log.nscdDEMFoam && cleanTimeDirectories\n";
+    EXPECT_EQ(std::system(("bash " + c.path("Allrun") + " > /dev/null 2>&1").c_str()), 0);
+    EXPECT_EQ(c.latestTime(), "0");
 }
 
 TEST(Program, runsWithoutFluidFields)
@@ -360,6 +448,71 @@ TEST(Program, anAsciiRestartGoesOnToTheWritePrecision)
     EXPECT_NEAR(parts.reported("0.01", "kineticEnergy").at(9), energy, 1e-8*energy);
 }
 
+TEST(Program, saysWhatItDoesWithoutBeingAskedFor)
+{
+    const auto noteIsSaid = [](const Files& files, const std::string& words)
+    {
+        const std::string log = ProgramCase(files).run().log;
+        const std::size_t first = log.find(words);
+        return first != std::string::npos && log.find(words, first + 1) == std::string::npos;
+    };
+    EXPECT_TRUE(noteIsSaid({{"constant/transportProperties", "transportModel Newtonian; nu 1e-5; rho 1;"}}, "Note: weak drag in a light fluid"));
+    EXPECT_TRUE(noteIsSaid({{"constant/grainProperties", grains + "voidFraction { minFluidFraction 0.95; }"}}, "Note: cells are fuller"));
+    EXPECT_TRUE(noteIsSaid({{"constant/grainProperties", with(restingGrains, "(0.3 0.1 -0.5)", "(0 0 -1)")}}, "Note: grains took other momentum"));
+    EXPECT_EQ(ProgramCase().run().log.find("Note: weak"), std::string::npos);
+}
+
+/// Half outside, where the mesh has no wall: what of its body is above the outlet, and the error that its whole volume inside is.
+TEST(Program, countsWhatOfAGrainIsOutsideTheMesh)
+{
+    const std::string alone = "materials { glass { density 2500; } } contacts { default { friction 0.3; } }"
+        "patches { front { type wall; } back { type exit; } }"
+        "grains { type lattice; box (0.045 0.045 0.1949) (0.055 0.055 0.2049); count (1 1 1); diameter 0.01; }";
+    const ProgramCase c(Files{{"constant/grainProperties", alone}}, "endTime 0.001;");
+    const ProgramRun run = c.run();
+    EXPECT_TRUE(succeeds(run));
+    const auto reported = [&](const char* column) { return c.reported("0", column).at(0); };
+    const double inside = (0.2 - reported("massCenterZ"))/0.005, outside = (2 + inside)*sqr(1 - inside)/4;
+    EXPECT_GT(outside, 0.4);
+    EXPECT_NEAR(reported("volumeOutside")/reported("grainVolume"), outside, 1e-9);
+    EXPECT_NEAR(reported("volumeError"), outside, 1e-9);
+    EXPECT_NEAR(reported("solidVolume")/reported("grainVolume"), 1, 1e-12);
+    EXPECT_TRUE(holds(run.log, {"Warning: grains are partly outside the mesh", "worst volume error     0.4", "grains outside the mesh 1 steps"}));
+    const ProgramCase plain;
+    EXPECT_TRUE(succeeds(plain.run()));
+    for (const double error : plain.reported("0", "volumeError")) EXPECT_LT(error, 1e-12);
+}
+
+/// What somebody has changed since the time was written, and what another run is about to write.
+TEST(Program, refusesToGoOnFromWhatDoesNotFit)
+{
+    const std::string properties = grains + "fluid none;";
+    const ProgramCase c(Files{{"constant/grainProperties", properties}});
+    EXPECT_TRUE(succeeds(c.run()));
+    c.writeControl("endTime 0.02;");
+    const auto isRefusedNow = [&](const std::vector<std::string>& pieces)
+    {
+        const ProgramRun run = c.run();
+        return run.status == 1 ? holds(run.log, pieces) : ::testing::AssertionFailure() << run.status << ": " << run.log;
+    };
+    c.write("constant/grainProperties", properties + " planes { lid { point (0 0 0.04); normal (0 0 -1); } }");
+    EXPECT_TRUE(isRefusedNow({"maxInitialOverlap is exceeded by", "and the wall lid overlap", "up to 0.1 of the smaller diameter"}));
+    c.write("constant/grainProperties", properties);
+
+    const fileName ids = "0.01/lagrangian/grains/origId";
+    const std::string text = c.contents(ids);
+    const std::size_t list = text.find("\n1\n2\n");
+    ASSERT_NE(list, std::string::npos) << text;
+    std::ofstream(c.path(ids)) << std::string(text).replace(list, 5, "\n1\n1\n");
+    EXPECT_TRUE(isRefusedNow({"lagrangian/grains/origId", "names two grains alike", "value:   1"}));
+    std::ofstream(c.path(ids)) << text;
+    {
+        const ::nscd::FolderLock other(c.path(""));
+        EXPECT_TRUE(isRefusedNow({"another run is writing into the folder"}));
+    }
+    EXPECT_TRUE(succeeds(c.run()));
+}
+
 TEST(Program, goesOnWhenAllGrainsHaveLeft)
 {
     for (const char* fluid : {"none", "solved"})
@@ -377,6 +530,36 @@ TEST(Program, goesOnWhenAllGrainsHaveLeft)
         EXPECT_TRUE(succeeds(c.run()));
         EXPECT_EQ(c.reported("0.01", "exited").back(), 75) << fluid;
     }
+}
+
+TEST(Program, goesOnAsOneThatNeverHadGrainsWhenAllHaveLeft)
+{
+    const Files start
+    {
+        {"constant/grainProperties", with(restingGrains, "(0.3 0.1 -0.5)", "(0 0 30)")},
+        {"constant/transportProperties", "transportModel Newtonian; nu 1e-5; rho 1;"}
+    };
+    const std::string binary = "writeFormat binary; writeInterval 10; ";
+    const ProgramCase whole(start, binary + "endTime 0.02;"), parts(start, binary), bare(start, binary);
+    for (const ProgramRun& run : {whole.run(), parts.run()}) EXPECT_TRUE(succeeds(run));
+    EXPECT_EQ(whole.reported("0", "grains").at(8), 0);
+
+    bare.write("constant/grainProperties", "materials { glass { density 2500; } } contacts { default { friction 0.3; } } grains {}");
+    mkDir(bare.path("0.01"));
+    for (const char* field : {"U", "p_rgh", "phi"}) EXPECT_TRUE(cp(parts.path(fileName("0.01")/field), bare.path(fileName("0.01")/field)));
+    for (const ProgramCase* c : {&parts, &bare})
+    {
+        c->writeControl(binary + "endTime 0.02;");
+        EXPECT_TRUE(succeeds(c->run()));
+        for (const char* field : {"U", "p_rgh", "phi"})
+        {
+            EXPECT_FALSE(whole.contents(fileName("0.02")/field).empty());
+            EXPECT_EQ(whole.contents(fileName("0.02")/field) == c->contents(fileName("0.02")/field), true) << field << (c == &bare);
+        }
+    }
+    double speed = 0;
+    for (const double number : whole.reported("0", "courantMax")) speed = std::max(speed, number);
+    EXPECT_GT(speed, 1e-3);   // there is a flow to compare
 }
 
 TEST(Program, theCloudIsReadByOpenFOAMsOwnTools)

@@ -315,7 +315,11 @@ TEST(Ranks, moveGrainsInAFluidAsOneRankDoes)
     const std::string air = "transportModel Newtonian; nu 1.5e-5; rho 1.2;", water = "transportModel Newtonian; nu 1e-4; rho 1000;";
     for (const std::string& fluid : {water, air})
     {
-        const Files files{{"constant/grainProperties", wetHeap + closed}, {"0/U", inflow}, {"constant/transportProperties", fluid}};
+        const Files files
+        {
+            {"constant/grainProperties", wetHeap + closed}, {"0/U", inflow}, {"constant/transportProperties", fluid},
+            {"system/fvSolution", solutionWith(8)}
+        };
         const std::string control = "writeFormat binary; endTime 0.012; writeInterval 12;";
         const ProgramCase alone(files, control);
         EXPECT_TRUE(succeeds(alone.run()));
@@ -327,7 +331,7 @@ TEST(Ranks, moveGrainsInAFluidAsOneRankDoes)
             EXPECT_TRUE(succeeds(together.decompose(parts)));
             EXPECT_TRUE(succeeds(together.runOn(ranks)));
             expectSameMotion(alone, together, 8);
-            EXPECT_LT(largest(together.reported("0", "momentumError")), 1e-12);
+            EXPECT_LT(largest(together.reported("0", "momentumError")), 1e-9);
         }
     }
 }
@@ -335,9 +339,10 @@ TEST(Ranks, moveGrainsInAFluidAsOneRankDoes)
 TEST(Ranks, liftGrainsAsOneRankDoes)
 {
     const std::string spinning = with(wetHeap, "jitter 0.7;", "jitter 0.7; omega (40 -30 20);") + closed;
-    const Files files{{"constant/grainProperties", spinning + "forces { saffmanLift on; magnusLift on; }"}};
+    const Files files{{"constant/grainProperties", spinning + "forces { saffmanLift on; magnusLift on; }"}, {"system/fvSolution", solutionWith(8)}};
     const std::string control = "writeFormat binary; endTime 0.012; writeInterval 12;";
-    const ProgramCase alone(files, control), without(Files{{"constant/grainProperties", spinning}}, control);
+    const Files plain{{"constant/grainProperties", spinning}, {"system/fvSolution", solutionWith(8)}};
+    const ProgramCase alone(files, control), without(plain, control);
     EXPECT_TRUE(succeeds(alone.run()));
     EXPECT_TRUE(succeeds(without.run()));
     // The lift moves the heap by ten times what ranks may differ by.
@@ -350,7 +355,7 @@ TEST(Ranks, liftGrainsAsOneRankDoes)
         EXPECT_TRUE(succeeds(together.decompose(parts)));
         EXPECT_TRUE(succeeds(together.runOn(ranks)));
         expectSameMotion(alone, together, 8);
-        EXPECT_LT(largest(together.reported("0", "momentumError")), 1e-12);
+        EXPECT_LT(largest(together.reported("0", "momentumError")), 1e-9);
     }
 }
 
@@ -434,7 +439,7 @@ TEST(Ranks, anErrorOnOneRankEndsAll)
     EXPECT_TRUE(succeeds(c.decompose(labelVector(2, 1, 1))));
     EXPECT_TRUE(succeeds(c.runOn(2)));
     c.writeControl("endTime 0.004;");
-    // Two grains in one place: the grain library throws on the rank that owns them.
+    // Two grains in one place, on one rank: all are told.
     const std::string file = "processor1/0.002/lagrangian/grains/position";
     std::string positions = c.contents(file);
     const std::size_t first = positions.find('(', positions.find("// *")) + 1;
@@ -445,5 +450,5 @@ TEST(Ranks, anErrorOnOneRankEndsAll)
     const ProgramRun run = c.runOn(2);
     EXPECT_NE(run.status, 0);
     EXPECT_NE(run.status, 124) << "hangs";
-    EXPECT_TRUE(holds(run.log, {"FOAM FATAL ERROR", "coincident centers"}));
+    EXPECT_TRUE(holds(run.log, {"FOAM FATAL IO ERROR", "have the same center at"}));
 }

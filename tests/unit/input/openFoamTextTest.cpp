@@ -43,6 +43,32 @@ TEST(OpenFoamText, numbersThatOverflowAreFound)
     EXPECT_EQ(complaint("a 1e300; b 1e-999; c \"1e999\"; d x1e999;"), "");
 }
 
+TEST(OpenFoamText, numbersThatOverflowAreFoundInAnyText)
+{
+    const auto complaintOf = [](const std::string& text)
+    {
+        try
+        {
+            input::checkNumbers(text, "U");
+        }
+        catch (const input::InputError& error)
+        {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(complaintOf("2\n(\n(1 2e1 3)\n(1e3 -1.5e+0999 2)\n)"), "U, line 4: holds a number that no computer holds\n  value:   -1.5e+0999\n  allowed: a number up to 1e308");
+    EXPECT_NE(complaintOf("1.E999"), "");
+    EXPECT_NE(complaintOf("// of 1\n1e999"), "");
+    EXPECT_EQ(complaintOf("// 1e999\n1e308 1e-999 one1e999 e999 1e99 the 1e0000001"), "");
+}
+
+TEST(OpenFoamText, keywordsOfOthersMayBeGivenTwice)
+{
+    EXPECT_NO_THROW(input::checkOpenFoamText("a 1; a 2;", "dict", input::Repeats::allowed));
+    EXPECT_THROW(input::checkOpenFoamText("a 1e999; a 2;", "dict", input::Repeats::allowed), input::InputError);
+}
+
 TEST(OpenFoamText, deepDictionariesAreFound)
 {
     std::string text;

@@ -65,6 +65,8 @@ inline std::vector<Wrong> wrongInputs()
 
         // Materials
         {"unknownWallMaterial", "wallMaterial steel", "wallMaterial stel", 4, {"keyword wallMaterial", "value:   stel", "nearest: steel"}},
+        {"misspeltWallMaterial", "wallMaterial steel", "wallMateral steel", 4, {"keyword wallMateral is not a keyword here", "nearest: wallMaterial"}},
+        {"noMaterialOfWalls", "wallMaterial steel;", "", 5, {"keyword walls.tray.material is missing", "wallMaterial ...; for all walls: glass, steel"}},
         {"negativeDensity", "density 2500", "density -2500", 1, {"keyword materials.glass.density is out of range", "value:   -2500", "> 0"}},
         {"zeroDensity", "density 2500", "density 0", 1, {"keyword materials.glass.density is out of range", "> 0"}},
         {"densityOfTwoNumbers", "density 2500", "density 1 2", 1, {"keyword materials.glass.density is not a single number", "value:   1 2"}},

@@ -54,6 +54,8 @@ const Wrong badScenes[] =
 {
     {"misspeltTopKeyword", "writeInterval 0.03", "writeInteval 0.03", 10, {"keyword writeInteval is not a keyword here", "nearest: writeInterval"}},
     {"misspeltNeededKeyword", "deltaT ", "deltat ", 8, {"keyword deltat", "deltaT is missing", "nearest: deltaT"}},
+    {"misspeltDimensions", "tray { type box; box (0 0 0) (0.06 0.06 0.2); }", "floor { type polygon; vertices ((0 0 0) (1 0 0)); } } dimensons 2; planes {", 5,
+        {"keyword dimensons is not a keyword here", "nearest: dimensions"}},
     {"missingKeyword", "endTime   0.09;", "", 0, {"keyword endTime is missing", "allowed: endTime value;"}},
     {"missingDictionary", "contacts  { default { friction 0.3; restitution 0.2; } }", "", 0, {"keyword contacts is missing"}},
     {"dictionaryForValue", "deltaT    1e-3;", "deltaT    { }", 8, {"keyword deltaT is a dictionary where a value belongs"}},

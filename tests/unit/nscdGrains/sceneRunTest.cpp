@@ -3,6 +3,7 @@
 //
 // Whole runs: stopped and continued to the bit, results that are not lost, files as they should be.
 #include "unit/fileSizeLimit.hpp"
+#include "nscd/base/folderLock.hpp"
 #include "nscd/tools/sceneCheckpoint.hpp"
 #include "sceneFiles.hpp"
 #include "sceneRun.hpp"
@@ -32,11 +33,11 @@ protected:
         return log.str();
     }
 
-    std::string failure(const std::string& scene, bool goesOn = false) const
+    std::string failure(const std::string& scene, bool goesOn = false, bool overwrites = false) const
     {
         try
         {
-            run(scene, goesOn);
+            run(scene, goesOn, overwrites);
         }
         catch (const std::exception& error)
         {
@@ -145,12 +146,29 @@ TEST_F(SceneRuns, doNotLoseResults)
     EXPECT_THROW(run("scene", false, true), input::InputError);
     EXPECT_EQ(result("scene", "report.csv"), before);
 
+    // So is what the grain library alone refuses.
+    const std::string needle = "count (1 1 1); diameter 0.01; clump { members ((0 0 0) (0.024 0 0)); diameter 0.01; } ";
+    writeScene("scene", changed(changed(goodScene(), "count (5 5 5); diameter 0.01; spread 0.2; jitter 0.5; ", needle), "periodic  { }", "periodic  { y (0 0.06); }"));
+    EXPECT_NE(failure("scene", false, true).find("scene: makes a scene that cannot run: period is 0.06"), std::string::npos) << failure("scene", false, true);
+    EXPECT_EQ(result("scene", "report.csv"), before);
+
     write("scene.out/notes.txt", "mine");
     writeScene("scene", changed(goodScene(), "endTime   0.09", "endTime   0.03"));
     run("scene", false, true);
     EXPECT_NE(result("scene", "report.csv"), before);
     EXPECT_FALSE(fs::exists(folder/"scene.out/grains/grains.000000060.vtp"));
     EXPECT_EQ(result("scene", "notes.txt"), "mine");
+}
+
+TEST_F(SceneRuns, leaveTheResultsOfARunThatGoesOnAlone)
+{
+    writeScene("scene", goodScene());
+    run("scene");
+    const std::string before = result("scene", "report.csv");
+    const nscd::FolderLock other(folder/"scene.out");
+    writeScene("scene", changed(goodScene(), "endTime   0.09", "endTime   0.12"));
+    for (const bool goesOn : {true, false}) EXPECT_NE(failure("scene", goesOn, !goesOn).find("another run is writing"), std::string::npos);
+    EXPECT_EQ(result("scene", "report.csv"), before);
 }
 
 TEST_F(SceneRuns, keepTheStatesAskedFor)
@@ -176,6 +194,14 @@ TEST_F(SceneRuns, refuseToGoOnFromWhatDoesNotFit)
     EXPECT_NE(failure("scene", true).find("lacks a material of the grains"), std::string::npos) << failure("scene", true);
     writeScene("scene", changed(changed(longer, "(0 0 -9.81)", "(0 -9.81 0)"), "gravity", "dimensions 2; gravity"));
     EXPECT_NE(failure("scene", true).find("dimensions"), std::string::npos) << failure("scene", true);
+
+    // A wall that was put through the grains; whoever wants that says so.
+    const std::string lid = "walls     { lid { type plane; point (0 0 0.02); normal (0 0 -1); } ";
+    writeScene("scene", changed(longer, "walls     { ", lid));
+    EXPECT_NE(failure("scene", true).find("keyword maxInitialOverlap is exceeded by"), std::string::npos) << failure("scene", true);
+    EXPECT_NE(failure("scene", true).find("overlaps up to 0.1 of the smaller diameter"), std::string::npos);
+    writeScene("scene", changed(longer, "walls     { ", "maxInitialOverlap 10; " + lid));
+    EXPECT_NE(failure("scene", true).find("walls.csv has other columns"), std::string::npos) << failure("scene", true);
 
     // Another order of materials is the same scene.
     writeScene("scene", changed(longer, "glass { density 2500; } steel {}", "steel {} glass { density 2500; }"));

@@ -98,7 +98,7 @@ Means shear(const Scene& scene, LoadedPlate& plate, double rate, double shear, d
         const nscd::StepReport report = dynamics.advance(none);
         plate.advance(deltaT, dynamics.wallForce()[1][2]);
         if (k < steps/2) continue;
-        means.capped += !report.solve.converged;
+        means.capped += report.solve.atCap;
         means.overlap = std::max(means.overlap, report.overlapMax);
         means.bottom += dynamics.wallForce()[0];
         means.top += dynamics.wallForce()[1];

@@ -6,6 +6,8 @@
 #include "unit/nscd/scenes/heaps.hpp"
 #include "../resources/bars.hpp"
 
+#include "nscd/scene/stepWarnings.hpp"
+
 #include <algorithm>
 #include <cstdio>
 

@@ -90,7 +90,10 @@ def checkEveryStep(verdict, alone, cut, hasFluid):
     volume = alone.report()["grainVolume"][0]
     verdict.below(cut.label + ": grain volume, every step", apart(alone, cut, "grainVolume")/volume, 1e-12)
     if hasFluid:
-        verdict.below(cut.label + ": momentum error, every step", max(cut.report()["momentumError"]), 1e-12)
+        # A grain 5e-4 d deep in a wall has 7.5e-7 of its volume there, which cells inside get.
+        verdict.below(cut.label + ": volume error, every step", max(cut.report()["volumeError"]), 1e-6)
+        # Three corrections of PISO leave up to 3e-3 of grains thrown into a fluid at rest; ranks add nothing to it (checkSamePaths).
+        verdict.below(cut.label + ": momentum error, every step", max(cut.report()["momentumError"]), 5e-3)
 
 
 def checkSamePaths(verdict, alone, cut, time, tolerance):
@@ -98,6 +101,7 @@ def checkSamePaths(verdict, alone, cut, time, tolerance):
     centers = max(apart(alone, cut, "massCenter" + axis) for axis in "XYZ")
     verdict.below(cut.label + ": mass center, every step [m]", centers, tolerance)
     verdict.below(cut.label + ": farthest grain at the end [m]", farthest(alone, cut, time), tolerance)
+    verdict.below(cut.label + ": difference of momentum errors, every step", apart(alone, cut, "momentumError"), 1e-6)
 
 
 def bytesOf(case):

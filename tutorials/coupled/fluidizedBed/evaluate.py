@@ -39,7 +39,8 @@ def figures(report, fluidized, weight):
         ("largest mean overlap when fluidized [d]", report["overlapMean"][flowing].max()),
         ("share of steps at the cap when fluidized", 1 - report["converged"][flowing].mean()),
         ("grains", report["grains"][-1]),
-        ("change of grain volume", numpy.ptp(report["grainVolume"])/report["grainVolume"][0]),
+        ("solid volume less the grains'", abs(report["solidVolume"]/report["grainVolume"] - 1).max()),
+        ("largest volume error", report["volumeError"].max()),
         ("largest momentum error", report["momentumError"].max()),
     ]
 

@@ -51,7 +51,11 @@ CloudWriter::CloudWriter
     const polyMesh& mesh, const word& name, const List<vector>& positions, const labelUList& cells, const labelUList& ids
 )
 :
+#if OPENFOAM >= 2312
+    cloud_(mesh, Foam::zero{}, name)
+#else
     cloud_(mesh, name, IDLList<passiveParticle>())
+#endif
 {
     forAll(positions, i)
     {

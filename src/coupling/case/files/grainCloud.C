@@ -13,6 +13,7 @@
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "Time.H"
+#include "HashSet.H"
 #include "cloud.H"
 
 #include <algorithm>
@@ -140,6 +141,18 @@ void checkGrain(const polyMesh& mesh, label id, scalar diameter, const vector& p
     });
 }
 
+/// Of the grains of this rank: those of others it does not see.
+void checkIds(const polyMesh& mesh, const labelUList& ids)
+{
+    labelHashSet seen;
+    for (const label id : ids)
+    {
+        if (seen.insert(id)) continue;
+        const fileName file = mesh.time().timePath()/"lagrangian/grains/origId";
+        fail({placeInFile(file, "origId"), "names two grains alike", Foam::name(id), "an id for each grain"});
+    }
+}
+
 nscd::Grains readGrains
 (
     const polyMesh& mesh, const RunState& state, const input::MaterialTable& materials, const nscd::GrainShape& shape
@@ -148,6 +161,7 @@ nscd::Grains readGrains
     const CloudReader cloud(mesh, "grains");
     const labelList id = cloud.labels("origId");
     cloud.checkTotal("origId", state.nGrains);
+    checkIds(mesh, id);
     const vectorField position = cloud.vectors("position");
     const scalarField diameter = cloud.scalars("d");
     const vectorField velocity = cloud.vectors("U");

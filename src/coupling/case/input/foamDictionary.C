@@ -82,7 +82,7 @@ void addList(std::vector<Token>& tokens, const token& list)
     OStringStream os;
     os.precision(17);
     list.compoundToken().write(os);
-    for (const token& tok : ITstream("list", os.str()))
+    for (const token& tok : ITstream::parse(os.str()))
     {
         tokens.push_back(translated(tok));
         tokens.back().line = int(list.lineNumber());
@@ -181,7 +181,7 @@ input::Dictionary valuesFromFoam(const dictionary& dict)
 
 void checkText(const IOobject& file)
 {
-    const fileName path = typeFilePath<IOdictionary>(file);
+    const fileName path = file.globalFilePath(IOdictionary::typeName);
     if (path.empty()) return;
     IFstream is(path);
     const std::string text{std::istreambuf_iterator<char>(is.stdStream()), {}};

@@ -4,6 +4,7 @@
 // Formatting text for the log.
 #include "coupling/case/log/logText.H"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -29,7 +30,8 @@ std::string formatted(const char* format, ...)
 
 std::string clockText(double seconds)
 {
-    const long whole = std::lround(seconds);
+    constexpr double longestShown = 1e12;   // 30 000 years; no whole number of the computer holds what an endTime of 1e30 asks for
+    const long whole = std::lround(std::min(seconds, longestShown));
     return formatted("%ld:%02ld:%02ld", whole/3600, whole/60 % 60, whole % 60);
 }
 

@@ -10,6 +10,51 @@ namespace Foam
 namespace nscdCoupling
 {
 
+namespace
+{
+
+/// What is done without being asked for, and what fell short; each is explained in method.md.
+struct WarningRow
+{
+    const char* head;   ///< in the log: Note, of what is meant so; Warning
+    const char* name;
+    const char* text;
+    scalar (*measure)(const StepRow&, const FluidSummary&);
+    scalar least;       ///< measures up to here are what every iteration leaves
+    const char* unit;
+};
+
+const WarningRow warningRows[] =
+{
+    {
+        "Note", "no predictor", "weak drag in a light fluid: grains are handed to it with the velocity they have, without a predictor",
+        [](const StepRow&, const FluidSummary& f) { return f.isLagged ? max(f.dragRatioMax, VSMALL) : 0; }, 0, "of gamma dt/m"
+    },
+    {
+        "Warning", "predictor at the cap", "the prediction of the grains' velocities did not converge: drag may be off in this step",
+        [](const StepRow&, const FluidSummary& f) { return f.predictorConverged ? 0 : scalar(f.predictorSweeps); }, 0, "sweeps"
+    },
+    {
+        "Note", "momentum owed", "grains took other momentum from the fluid than it was told: half of what they owe is repaid in each step",
+        [](const StepRow&, const FluidSummary& f) { return f.owedShare; }, 0.01, "of what grains received"
+    },
+    {
+        "Note", "volume moved", "cells are fuller than minFluidFraction allows: what is too much in them is moved to neighboring ones",
+        [](const StepRow& r, const FluidSummary&) { return r.volumeMoved; }, 0, "m3"
+    },
+    {
+        "Warning", "volume unresolved", "cells stayed fuller than minFluidFraction allows: there is no room near them",
+        [](const StepRow& r, const FluidSummary&) { return r.volumeUnresolved; }, 0, "m3"
+    },
+    {
+        "Warning", "grains outside the mesh", "grains are partly outside the mesh: their volume is put into the cells that they do reach",
+        [](const StepRow& r, const FluidSummary&) { return r.volumeOutside/max(r.grainVolume, VSMALL); }, 1e-3, "of the grains' volume"
+    }
+};
+
+} // namespace
+
+
 ProgressLog::ProgressLog(const Time& time, Ostream& os, bool hasFluid)
 :
     os_(os),
@@ -48,14 +93,36 @@ void ProgressLog::writeFluid(const FluidSummary& fluid, scalar courantMax) const
 }
 
 
+void ProgressLog::say(const char* head, const ::nscd::Warning& warning, scalar time)
+{
+    if (warnings_.count(warning, time)) os_ << "  " << head << ": " << warning.text.c_str() << nl;
+}
+
+
+/// Writes the first of each kind, and counts all.
+void ProgressLog::warn(const StepRow& row, const FluidSummary& fluid)
+{
+    for (const ::nscd::Warning& one : ::nscd::warnings(row.report.solve)) say("Warning", one, row.time);
+    if (!hasFluid_) return;
+    for (const WarningRow& kind : warningRows)
+    {
+        const scalar measure = kind.measure(row, fluid);
+        if (measure > kind.least) say(kind.head, {kind.name, kind.text, measure, kind.unit}, row.time);
+    }
+}
+
+
 void ProgressLog::step(const StepRow& row, const FluidSummary& fluid)
 {
     ++steps_;
-    stepsAtCap_ += !row.converged;
+    const ::nscd::SolveReport& solve = row.report.solve;
+    stepsAtCap_ += solve.atCap;
     const std::int64_t exitedNow = row.exited - exited_;
     exited_ = row.exited;
-    worstOverlap_ = max(worstOverlap_, row.overlapMax);
-    worstVolumeError_ = max(worstVolumeError_, fluid.volumeError);
+    worstOverlap_ = max(worstOverlap_, row.report.overlapMax);
+    worstUncorrectedOverlap_ = max(worstUncorrectedOverlap_, row.report.overlapUncorrected);
+    worstForceError_ = max(worstForceError_, solve.forceError);
+    worstVolumeError_ = max(worstVolumeError_, row.volumeError);
     worstMomentumError_ = max(worstMomentumError_, row.momentumError);
 
     const std::string done = progress(row.time);
@@ -63,20 +130,21 @@ void ProgressLog::step(const StepRow& row, const FluidSummary& fluid)
     if (hasFluid_) writeFluid(fluid, row.courantMax);
     os_ << formatted
         (
-            "  advanceGrains: %lld grains, %lld contacts, %d sweeps%s, residual %.2g rms %.2g max m/s, overlap <= %.2g d",
-            static_cast<long long>(row.grains), static_cast<long long>(row.contacts), int(row.sweeps),
-            row.converged ? "" : " (at the cap)", row.residualRms, row.residualMax, row.overlapMax
+            "  advanceGrains: %lld grains, %zu contacts, %d sweeps%s, residual %.2g rms %.2g max m/s, force error %.2g, overlap <= %.2g d "
+            "(%.2g before correction)",
+            static_cast<long long>(row.grains), solve.contacts, solve.sweeps, solve.converged ? "" : solve.atCap ? " (at the cap)" : " (forces off)",
+            solve.residualRms, solve.residualMax, solve.forceError, row.report.overlapMax, row.report.overlapUncorrected
         ).c_str() << nl;
-    if (row.newtonSteps > 0) os_ << formatted("  direct method: %d Newton steps", int(row.newtonSteps)).c_str() << nl;
-    if (row.asleep > 0) os_ << formatted("  %lld grains asleep", static_cast<long long>(row.asleep)).c_str() << nl;
-    if (!row.solveWarning.empty() && stepsWarned_++ == 0) os_ << "  Warning: " << row.solveWarning.c_str() << nl;
+    if (solve.newtonSteps > 0) os_ << formatted("  direct method: %d Newton steps", solve.newtonSteps).c_str() << nl;
+    if (row.report.asleep > 0) os_ << formatted("  %zu grains asleep", row.report.asleep).c_str() << nl;
+    warn(row, fluid);
     if (exitedNow > 0) os_ << formatted("  %lld grains left through exits", static_cast<long long>(exitedNow)).c_str() << nl;
     if (hasFluid_)
     {
         os_ << formatted
             (
                 "  depositGrains: alpha.fluid >= %.4g, volume error %.2g; reportStep: momentum error %.2g",
-                fluid.fluidFractionMin, fluid.volumeError, row.momentumError
+                fluid.fluidFractionMin, row.volumeError, row.momentumError
             ).c_str() << nl;
     }
     os_ << endl;
@@ -88,15 +156,16 @@ void ProgressLog::finish(const TimingTable& timing) const
     os_ << "Timing" << nl;
     timing.print(os_, steps_);
     os_ << nl << "Summary" << nl
-        << formatted("  worst overlap          %.3g d", worstOverlap_).c_str() << nl
+        << formatted("  worst overlap          %.3g d, before its correction %.3g d", worstOverlap_, worstUncorrectedOverlap_).c_str() << nl
+        << formatted("  worst force error      %.3g", worstForceError_).c_str() << nl
         << formatted("  steps at the cap       %d of %d", int(stepsAtCap_), int(steps_)).c_str() << nl
-        << formatted("  steps with a warning   %d", int(stepsWarned_)).c_str() << nl
         << formatted("  grains left by exits   %lld", static_cast<long long>(exited_)).c_str() << nl;
     if (hasFluid_)
     {
         os_ << formatted("  worst volume error     %.3g", worstVolumeError_).c_str() << nl
             << formatted("  worst momentum error   %.3g", worstMomentumError_).c_str() << nl;
     }
+    os_ << warnings_.lines().c_str();
     os_ << endl;
 }
 

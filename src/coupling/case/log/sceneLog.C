@@ -66,7 +66,7 @@ string describeFluid(const GrainProperties& properties)
 void logScene
 (
     Ostream& os, const GrainProperties& properties, const GrainScene& scene, const GrainTotals& grains,
-    const polyMesh& mesh, bool isRestart
+    const polyMesh& mesh, bool isRestart, const stringList& inflow
 )
 {
     const nscd::ContactSettings& contact = properties.contact;
@@ -87,6 +87,7 @@ void logScene
         nscd::describeWork(properties.materials.table, scene.space.shape, contact).c_str()
     ));
     line("fluid", describeFluid(properties));
+    for (const string& patch : inflow) line("inflow", patch);
     if (Pstream::parRun()) line("ranks", formatted("%d, load at most %.3g of the mean", Pstream::nProcs(), properties.maxLoadImbalance));
     os << endl;
 }

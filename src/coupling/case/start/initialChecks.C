@@ -68,27 +68,55 @@ void dropPairsOfOthers(std::vector<Overlap>& overlaps, std::size_t nOwned, const
     overlaps.erase(std::remove_if(overlaps.begin(), overlaps.end(), isOfOther), overlaps.end());
 }
 
+/// Refuses overlaps of more than maxShare. Collective.
+void refuseOverlaps
+(
+    const nscd::Grains& grains, const nscd::PeriodicBox& box, const nscd::Walls& walls, const GrainProperties& properties, scalar maxShare,
+    nscd::Exchange& exchange
+)
+{
+    const std::vector<nscd::GhostGrain> ghosts = exchange.findGhosts(grains, std::vector<double>(grains.size(), 0.0), box);
+    const nscd::Grains all = withGhosts(grains, ghosts);
+    std::vector<Overlap> overlaps = grainOverlaps(all, box, maxShare);
+    dropPairsOfOthers(overlaps, grains.size(), ghosts, exchange.rank());
+    const std::vector<Overlap> withWalls = wallOverlaps(grains, walls, maxShare);
+    overlaps.insert(overlaps.end(), withWalls.begin(), withWalls.end());
+    const label number = returnReduce(label(overlaps.size()), sumOp<label>());
+    if (number == 0) return;
+    const std::vector<input::DescribedOverlap> worst = gathered(input::worstOverlaps(overlaps, all, walls));
+    toldByFoam([&] { input::refuseOverlaps(std::size_t(number), worst, properties, maxShare); });
+}
+
 } // namespace
 
 
-void checkTimeControls(const Time& time)
+void checkTimeControls(const dictionary& controlDict)
 {
-    const input::Dictionary entries = valuesFromFoam(time.controlDict());
+    const input::Dictionary entries = valuesFromFoam(controlDict);
     const input::CheckedEntries control(entries);
     const input::Range duration = input::above(0, input::unit::time);
     toldByFoam([&]
     {
         control.number("deltaT", duration);
+        if (control.found("endTime")) control.number("endTime", input::anyNumber(input::unit::time));
         if (control.found("writeInterval")) control.number("writeInterval", duration);
         if (control.flag("adjustTimeStep", false))
         {
             control.number("maxCo", input::above(0), 1);
             control.number("maxDeltaT", duration, GREAT);
         }
-        if (time.endTime().value() < time.value())
-        {
-            control.reject("endTime", "lies before the start time " + time.timeName(), "a later time");
-        }
+    });
+}
+
+
+void checkTimeControls(const Time& time)
+{
+    checkTimeControls(time.controlDict());
+    if (time.endTime().value() >= time.value()) return;
+    fail
+    ({
+        placeOf(time.controlDict(), "endTime"), "lies before the start time " + time.timeName(), messageText(time.endTime().value()),
+        "a later time"
     });
 }
 
@@ -172,16 +200,18 @@ void checkOverlaps
     const nscd::Grains& grains, const GrainScene& scene, const GrainProperties& properties, nscd::Exchange& exchange
 )
 {
-    const std::vector<nscd::GhostGrain> ghosts = exchange.findGhosts(grains, std::vector<double>(grains.size(), 0.0), scene.box);
-    const nscd::Grains all = withGhosts(grains, ghosts);
-    std::vector<Overlap> overlaps = grainOverlaps(all, scene.box, properties.maxInitialOverlap);
-    dropPairsOfOthers(overlaps, grains.size(), ghosts, exchange.rank());
-    const std::vector<Overlap> withWalls = wallOverlaps(grains, scene.walls, properties.maxInitialOverlap);
-    overlaps.insert(overlaps.end(), withWalls.begin(), withWalls.end());
-    const label number = returnReduce(label(overlaps.size()), sumOp<label>());
-    if (number == 0) return;
-    const std::vector<input::DescribedOverlap> worst = gathered(input::worstOverlaps(overlaps, all, scene.walls));
-    toldByFoam([&] { input::refuseOverlaps(std::size_t(number), worst, properties); });
+    refuseOverlaps(grains, scene.box, scene.walls, properties, properties.maxInitialOverlap, exchange);
+}
+
+
+void checkRestart
+(
+    const nscd::Grains& grains, scalar time, const GrainScene& scene, const GrainProperties& properties, nscd::Exchange& exchange
+)
+{
+    nscd::Walls walls = scene.walls;
+    nscd::moveWalls(walls, time);
+    refuseOverlaps(grains, scene.box, walls, properties, input::maxOverlapOfRestart(properties), exchange);
 }
 
 } // namespace nscdCoupling

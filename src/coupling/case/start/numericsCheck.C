@@ -20,6 +20,8 @@
 #include "surfaceFields.H"
 #include "volFields.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -29,24 +31,36 @@ namespace
 {
 
 /// First line of a file that starts with a word; for field files, which may be binary behind that line.
-Place placeOfLine(const fileName& file, const word& start)
+Place placeOfLine(const fileName& file, const string& start)
 {
     Place place = placeInFile(file, start);
     IFstream is(file);
     string line;
     for (label lineNumber = 1; is.getLine(line).good(); ++lineNumber)
     {
-        if (line.compare(0, start.size(), start) != 0) continue;
+        if (line.compare(std::min(line.size(), line.find_first_not_of(" \t")), start.size(), start) != 0) continue;
         place.line = lineNumber;
         break;
     }
     return place;
 }
 
+template<class Values>
+void checkSizes(const fileName& file, const string& where, const Values& values)
+{
+    for (const auto& value : values)
+    {
+        if (cmptMax(cmptMag(value)) <= input::largestNumber) continue;
+        fail({placeOfLine(file, where), "holds a number that is too large", messageText(value), messageText("numbers up to ", input::largestNumber)});
+    }
+}
+
 template<class Field>
-void checkDimensions(const fvMesh& mesh, const word& name, const dimensionSet& dimensions, const string& unit)
+void checkField(const fvMesh& mesh, const word& name, const dimensionSet& dimensions, const string& unit)
 {
     const Field field(IOobject(name, mesh.time().timeName(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false), mesh);
+    checkSizes(field.objectPath(), "internalField", field.primitiveField());
+    for (const auto& patch : field.boundaryField()) checkSizes(field.objectPath(), patch.patch().name(), patch);
     if (field.dimensions() == dimensions) return;
     fail
     ({
@@ -87,6 +101,7 @@ void checkSchemes(const fvMesh& mesh, const surfaceScalarField& phi, bool isAver
     fv::divScheme<tensor>::New(mesh, mesh.divScheme("div((nuEff*dev2(T(grad(U)))))"));
     for (const word& name : turbulenceFields(mesh)) mesh.divScheme("div(phi," + name + ")");
     fv::gradScheme<vector>::New(mesh, mesh.gradScheme("grad(U)"));
+    if (!isAveraged) fv::gradScheme<scalar>::New(mesh, mesh.gradScheme("grad(p_rgh)"));
     fv::laplacianScheme<vector, scalar>::New(mesh, mesh.laplacianScheme("laplacian(nuEff,U)"));
     fv::laplacianScheme<scalar, scalar>::New(mesh, mesh.laplacianScheme("laplacian(rAU,p_rgh)"));
 }
@@ -126,8 +141,8 @@ void checkSolvers(const fvMesh& mesh)
 
 void checkFieldDimensions(const fvMesh& mesh)
 {
-    checkDimensions<volVectorField>(mesh, "U", dimVelocity, "m/s");
-    checkDimensions<volScalarField>(mesh, "p_rgh", dimPressure, "Pa");
+    checkField<volVectorField>(mesh, "U", dimVelocity, "m/s");
+    checkField<volScalarField>(mesh, "p_rgh", dimPressure, "Pa");
 }
 
 

@@ -85,16 +85,23 @@ using ConstContact = Contact<const Body*, const GeneralBodies&>;
 
 bool isUsedLane(const ContactBlock& block, int lane) { return block.invWn[lane] > 0.0; }
 
-/// Natural map of one contact in velocity units, squared.
-double naturalMap(const ContactBlock& block, int lane, const Vec3& n, const Vec3& r, const Vec3& u)
+/// Natural map of one contact in velocity units: squared, and its work with the impulse.
+struct Defect
+{
+    double square;   ///< [m2/s2]
+    double work;     ///< [J]
+};
+
+Defect naturalMap(const ContactBlock& block, int lane, const Vec3& n, const Vec3& r, const Vec3& u)
 {
     const double rn = n.dot(r), un = n.dot(u);
-    const double normal = (rn - std::max(0.0, rn - (un + block.bias[lane])*block.invWn[lane]))/block.invWn[lane];
+    const double normal = (std::max(0.0, rn - (un + block.bias[lane])*block.invWn[lane]) - rn)/block.invWn[lane];
     const Vec3 rt = r - rn*n;
     Vec3 q = rt - (u - un*n)*block.invWt[lane];
     const double limit = block.friction[lane]*std::max(0.0, rn), size = q.norm();
     if (size > limit) q *= limit/size;
-    return normal*normal + (rt - q).squaredNorm()/(block.invWt[lane]*block.invWt[lane]);
+    const Vec3 tangential = (q - rt)/block.invWt[lane];
+    return {normal*normal + tangential.squaredNorm(), rn*normal + rt.dot(tangential)};
 }
 
 /// Impulse of a contact with all others held, from its present impulse and relative velocity.
@@ -168,7 +175,9 @@ DefectSums evaluateGeneral(const Body* bodies, const std::vector<ContactBlock>& 
             const ConstContact contact(bodies, general, block, k, lane);
             const Vec3 r = inBlock(block.r, lane), u = contact.relativeVelocity();
             const bool isActive = contact.n.dot(r) > 0.0 || contact.n.dot(u) + block.bias[lane] < 0.0;
-            add(sums, naturalMap(block, lane, contact.n, r, u), isActive);
+            const Defect defect = naturalMap(block, lane, contact.n, r, u);
+            add(sums, defect.square, isActive);
+            sums.work += defect.work;
         }
     }
     return sums;

@@ -110,6 +110,7 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
     packed.motion = whole.motion;
     packed.massRatio = whole.massRatio;
     packed.leftOut = this;
+    packed.freeVelocity = whole.freeVelocity;
     return packed;
 }
 

@@ -28,6 +28,7 @@ void add(DefectSums& sums, const DefectSums& more)
 {
     sums.sumSquares += more.sumSquares;
     sums.active += more.active;
+    sums.work += more.work;
     if (!(more.maxSquare <= sums.maxSquare)) sums.maxSquare = more.maxSquare;
 }
 
@@ -44,6 +45,22 @@ DefectSums sweepBlocks(ContactProblem& problem, BlockRange range, const SweepOn&
     const SweepFunction sweep = problem.isFrictional ? kernels.sweep : kernels.sweepFrictionless;
     const DefectSums contacts = sweep(problem.bodies.data(), problem.blocks.data(), range);
     return problem.laws ? problem.laws->sweep(contacts, problem.bodies.data(), problem.blocks.data(), range) : contacts;
+}
+
+double netImpulse(const ContactProblem& problem)
+{
+    double sum = 0.0;
+    for (std::size_t k = 0; k < problem.freeVelocity->size(); ++k)
+    {
+        const Body& body = problem.bodies[k];
+        const bool isMember = problem.general && problem.general->memberOf[k] >= 0;
+        if (body.invMass > 0.0 && !isMember) sum += (Vec3(body.v) - (*problem.freeVelocity)[k]).norm()/body.invMass;
+    }
+    if (problem.general)
+    {
+        for (const GeneralBody& body : problem.general->bodies) sum += (body.v - body.freeV).norm()/body.invMass;
+    }
+    return problem.halo.sum(sum);
 }
 
 double rms(const DefectSums& sums) { return std::sqrt(sums.sumSquares/std::max(1.0, sums.active)); }
@@ -112,7 +129,10 @@ DefectSums residual(ContactProblem& problem)
     if (problem.laws) here = problem.laws->evaluate(here, problem.bodies.data(), problem.blocks.data(), problem.all());
     if (problem.general) add(here, evaluateGeneral(problem.bodies.data(), problem.blocks, *problem.general));
     if (problem.leftOut) add(here, problem.leftOut->defects(problem));
-    return problem.halo.isParallel() ? overRanks(problem.halo, here, {0.0, 0.0, 0.0}) : here;
+    if (!problem.halo.isParallel()) return here;
+    DefectSums everywhere = overRanks(problem.halo, here, {0.0, 0.0, 0.0});
+    everywhere.work = problem.halo.sum(here.work);
+    return everywhere;
 }
 
 bool wakeBlocks(ContactProblem& problem)

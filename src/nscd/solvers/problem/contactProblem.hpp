@@ -58,6 +58,8 @@ struct ContactProblem
     ListLaws* laws = nullptr;
     /// Of all bodies that move, heaviest to lightest.
     double massRatio = 1.0;
+    /// Velocities without any contact impulse, of the bodies that this rank owns; null: not known, and forces are not judged.
+    const std::vector<Vec3>* freeVelocity = nullptr;
     /// Contacts of general bodies, in blocks behind all others; none in scenes without.
     GeneralBodies* general = nullptr;
     /// Room in which a solver may pack contacts; null: none.
@@ -97,6 +99,9 @@ DefectSums residualOfActive(ContactProblem& problem);
 
 /// Wakes sleeping blocks in which a contact should carry an impulse at the present velocities. Returns whether there were any, on any rank.
 bool wakeBlocks(ContactProblem& problem);
+
+/// Sum over the bodies of the size of what all contacts of a body give it together, |m (v - v_free)| [N s]; over all ranks.
+double netImpulse(const ContactProblem& problem);
 
 /// Root mean square over the active contacts [m/s].
 double rms(const DefectSums& sums);

@@ -16,16 +16,19 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
     const SolverStrategy::Polish& polishing = settings.strategy.polish;
     const double polish = std::min(1.0, std::max(polishing.finest, polishing.perMotion*problem.motion));
     const double rmsLimit = settings.tolerance*speed, maxLimit = settings.displacementTolerance*lengthRate;
-    return {rmsLimit, maxLimit, speed, polish*rmsLimit, polish < 1.0 ? polish*std::min(maxLimit, polishing.loneDefect*rmsLimit) : maxLimit};
+    return {rmsLimit, maxLimit, speed, polish*rmsLimit, polish < 1.0 ? polish*std::min(maxLimit, polishing.loneDefect*rmsLimit) : maxLimit, settings.forceTolerance, polish*settings.forceTolerance};
 }
 
-void reportResidual(SolveReport& report, const StopRule& rule, const DefectSums& sums)
+DefectSums reportResidual(SolveReport& report, const StopRule& rule, ContactProblem& problem)
 {
+    const DefectSums sums = residual(problem);
     report.residualRms = rms(sums);
     report.residualMax = std::sqrt(sums.maxSquare);
     report.speedScale = rule.speedScale;
     report.contacts = static_cast<std::size_t>(sums.active);
-    report.converged = rule.isMet(sums);
+    report.forceError = problem.freeVelocity ? rule.forceError(sums, netImpulse(problem)) : 0.0;
+    report.converged = rule.isMet(sums) && report.forceError <= rule.forceLimit;
+    return sums;
 }
 
 } // namespace nscd

@@ -49,7 +49,7 @@ Outcome settle(const Change& change)
     {
         const nscd::StepReport report = step(dynamics, scene.g, deltaT);
         outcome.sweeps += report.solve.sweeps;
-        outcome.unconverged += !report.solve.converged;
+        outcome.unconverged += report.solve.atCap;   // a flow whose forces are off says so apart
         outcome.impulse -= deltaT*dynamics.wallForce()[0][2];
     }
     return outcome;

@@ -88,3 +88,10 @@ TEST(WallMotion, speedsAreIntegrated)
     // What was asked before does not matter to the bit.
     EXPECT_EQ(integralOf([](double t) { return std::sin(50*t); })(0.7), sine(0.7));
 }
+
+TEST(WallMotion, speedsThatOscillateTooFastAreRefused)
+{
+    const auto oscillation = [](double frequency) { return integralOf([=](double t) { return std::sin(2*M_PI*frequency*t); }); };
+    EXPECT_NEAR(oscillation(2e4)(0.0125), 0, 1e-12);
+    EXPECT_THROW(oscillation(1e20)(0.0125), std::invalid_argument);
+}

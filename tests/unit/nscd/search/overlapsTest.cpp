@@ -44,3 +44,24 @@ TEST(Overlaps, agreeWithTheSumOverAllPairs)
     EXPECT_EQ(grainOverlaps(grains, box, 0.02).size(), pairs);
     EXPECT_EQ(wallOverlaps(grains, walls, 0.02).size(), atWall);
 }
+
+/// Cells as wide as grains would be more than memory holds.
+TEST(Overlaps, areFoundWhereOneGrainIsFarAway)
+{
+    nscd::Grains grains;
+    for (const double x : {0.0, 0.01, 1e12}) grains.add(Vec3(x, 0, 0), 0.01, 1, 0, std::int64_t(grains.size()));
+    nscd::Walls walls;
+    walls.addPolygon(walls.addPatch("square", 0), {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0)});
+    EXPECT_EQ(grainOverlaps(grains, nscd::PeriodicBox(), 0.01).size(), 1u);
+    EXPECT_EQ(wallOverlaps(grains, walls, 0.01).size(), 2u);
+}
+
+/// 10 000 grains in the space of one have 5e7 pairs: neither memory nor time for all of them.
+TEST(Overlaps, areNotAllListedWhereThereAreTooMany)
+{
+    nscd::Grains grains;
+    for (int i = 0; i < 10000; ++i) grains.add(Vec3(1e-6*i, 0, 0), 1, 1, 0, i);
+    const std::size_t number = grainOverlaps(grains, nscd::PeriodicBox(), 0.01).size();
+    EXPECT_GE(number, nscd::mostOverlaps);
+    EXPECT_LT(number, nscd::mostOverlaps + 20000);
+}

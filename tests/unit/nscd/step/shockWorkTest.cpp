@@ -4,6 +4,8 @@
 // Shocks with restitution: two and three bodies against closed forms, and energy in elastic gases.
 #include "unit/nscd/scenes/scenes.hpp"
 
+#include "nscd/scene/stepWarnings.hpp"
+
 #include <gtest/gtest.h>
 
 #include <random>

@@ -4,6 +4,8 @@
 // The direct method: what it solves that sweeps do not, and when it is used.
 #include "unit/nscd/scenes/scenes.hpp"
 
+#include "nscd/scene/stepWarnings.hpp"
+
 #include <gtest/gtest.h>
 
 using namespace scenes;

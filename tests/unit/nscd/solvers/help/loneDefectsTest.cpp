@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double limit = 1e-3;
-constexpr nscd::StopRule rule{1e-2, 1.0, 1.0, 1e-3, limit};
+constexpr nscd::StopRule rule{1e-2, 1.0, 1.0, 1e-3, limit, 1.0, 1.0};
 
 } // namespace
 
@@ -36,7 +36,7 @@ TEST(LoneDefects, belowRoundOffAreReported)
 {
     Column column = columnAtRest(60, 30, 2e-3);
     nscd::ContactProblem problem = column.problem();
-    EXPECT_FALSE(nscd::polishLoneDefects(problem, {1e-2, 1.0, 1.0, 1e-20, 1e-20}, {}));
+    EXPECT_FALSE(nscd::polishLoneDefects(problem, {1e-2, 1.0, 1.0, 1e-20, 1e-20, 1.0, 1.0}, {}));
     EXPECT_EQ(column.awake.size(), 60u);
 }
 

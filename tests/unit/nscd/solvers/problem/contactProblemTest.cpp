@@ -28,6 +28,7 @@ nscd::DefectSums naturalMap(const RandomProblem& random)
         const Vec3 pt = std::min(1.0, block.friction[lane]*std::max(0.0, rn)/std::max(q.norm(), 1e-300))*q;
         const double normal = (rn - pn)/block.invWn[lane], tangential = (rt - pt).norm()/block.invWt[lane];
         const double square = normal*normal + tangential*tangential;
+        sums.work += (pn - rn)/block.invWn[lane]*rn + rt.dot(pt - rt)/block.invWt[lane];
         const bool isActive = rn > 0.0 || pn > 0.0;
         sums.sumSquares += isActive ? square : 0.0;
         sums.active += isActive;
@@ -48,10 +49,23 @@ TEST(ContactProblem, residualIsTheNaturalMap)
         EXPECT_NEAR(found.sumSquares, expected.sumSquares, 1e-12*expected.sumSquares);
         EXPECT_NEAR(found.maxSquare, expected.maxSquare, 1e-12*expected.maxSquare);
         EXPECT_EQ(found.active, expected.active);
+        EXPECT_NEAR(found.work, expected.work, 1e-12*expected.sumSquares);
         nscd::sweepActive(problem);
     }
     EXPECT_DOUBLE_EQ(nscd::rms({8.0, 9.0, 2.0}), 2.0);
     EXPECT_DOUBLE_EQ(nscd::rms({0.0, 0.0, 0.0}), 0.0);
+}
+
+TEST(ContactProblem, netImpulseIsWhatContactsMadeOfTheFreeVelocities)
+{
+    Column column = columnAtRest(5, 2, 0.25);
+    const std::vector<Vec3> freeVelocity(5, -Vec3::UnitZ());
+    nscd::ContactProblem problem = column.problem();
+    problem.freeVelocity = &freeVelocity;
+    EXPECT_DOUBLE_EQ(nscd::netImpulse(problem), 5.0);   // a quarter less on one body, a quarter more on another
+    column.bodies[0].invMass = 0.0;                     // held: nothing moves it
+    column.bodies[4].invMass = 0.5;
+    EXPECT_DOUBLE_EQ(nscd::netImpulse(problem), 5.0);
 }
 
 TEST(ContactProblem, sweepsPassOverActiveBlocksAndHoldVelocitiesToImpulses)

@@ -4,7 +4,7 @@
 // Tests of reports: how those of several solves become one, and what users are warned of.
 #include "unit/nscd/scenes/scenes.hpp"
 
-#include "nscd/scene/stepReport.hpp"
+#include "nscd/scene/stepWarnings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,4 +59,36 @@ TEST(StepReport, warnsOfACapThatStepAfterStepEndsAt)
         EXPECT_EQ(report.stepsAtCap, k);
         EXPECT_EQ(nscd::warning(report).empty(), k < 5) << nscd::warning(report);
     }
+}
+
+// Between a floor and a lid that comes down, at a speed that the tolerance leaves room for, no impulse is ever enough: the solve of a flow gives up, and says so.
+TEST(StepReport, saysByHowMuchForcesOfAFlowAreOff)
+{
+    Scene scene(3, 0.0, 0.0);
+    for (int i = 0; i < 3; ++i) scene.addGrain(Vec3(0, 0, 0.01*(2*i + 1)), 0.01);
+    for (Vec3& v : scene.grains.velocity) v = Vec3(1, 0, 0);
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    scene.addPlane(Vec3(0, 0, 0.06), -Vec3::UnitZ());
+    const double closing = 0.025*scene.g.norm()*1e-3;
+    scene.walls.setMotion(1, [closing](double time) { return nscd::WallPose(Eigen::Translation3d(0, 0, -closing*time)); });
+    auto dynamics = scene.build(nscd::ContactSettings());
+    const nscd::SolveReport report = step(dynamics, scene.g, 1e-3).solve;
+    EXPECT_FALSE(report.converged);
+    EXPECT_FALSE(report.atCap);
+    EXPECT_GT(report.forceError, 0.01);
+    EXPECT_LT(report.sweeps, 200);
+    ASSERT_EQ(nscd::warnings(report).size(), 1u);
+    EXPECT_EQ(nscd::warnings(report)[0].kind, "forces off");
+    EXPECT_EQ(nscd::warnings(report)[0].measure, report.forceError);
+}
+
+TEST(WarningCounts, tellsStepsTheFirstAndTheWorstOfEachKind)
+{
+    nscd::WarningCounts counts;
+    EXPECT_EQ(counts.lines(), "");
+    EXPECT_TRUE(counts.count({"a", "text", 2.0, "m"}, 0.5));
+    EXPECT_FALSE(counts.count({"a", "text", 7.0, "m"}, 1.0));
+    EXPECT_FALSE(counts.count({"a", "text", 3.0, "m"}, 1.5));
+    EXPECT_TRUE(counts.count({"b", "text", 1.0, "J"}, 2.0));
+    EXPECT_EQ(counts.lines(), "  a                      3 steps, first at 0.5 s, worst 7 m\n  b                      1 steps, first at 2 s, worst 1 J\n");
 }

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What users should know of a step, in words and counts.
+#include "nscd/scene/stepWarnings.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace nscd
+{
+
+namespace
+{
+
+constexpr int patience = 5;   // steps in a row at the cap: a few are what an impact costs
+
+/// As printf, into a string.
+template<class... Values>
+std::string formatted(const char* format, Values... values)
+{
+    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), ' ');
+    std::snprintf(&text[0], text.size() + 1, format, values...);
+    return text;
+}
+
+Warning unlikeMasses(const SolveReport& report)
+{
+    const std::string text = formatted
+    (
+        "masses in contact differ by up to 1:%.3g, and the direct method is too dear for this scene or not to be had on several ranks: "
+        "velocities have the accuracy asked for, forces under the heavy bodies may not; ask for a finer tolerance where they matter",
+        report.hiddenMassRatio
+    );
+    return {"unlike masses", text, report.hiddenMassRatio, "times as heavy"};
+}
+
+Warning scaledRebounds(const SolveReport& report)
+{
+    const std::string text = formatted
+    (
+        "restitution and friction at once would have created %.3g J in a step (Newton's law of impact may): all its rebounds were "
+        "multiplied by %.3g, so that none was",
+        report.shockWork, report.reboundShare
+    );
+    return {"scaled rebounds", text, report.shockWork, "J that were not created"};
+}
+
+Warning alwaysAtCap(const SolveReport& report)
+{
+    return
+    {
+        "at the cap in a row",
+        "step after step ends at the cap of sweeps, after which part of the weight is not carried: grains at rest sink so, and bounce without "
+        "end; a larger maxSweeps, a smaller time step or a coarser tolerance would do",
+        double(report.stepsAtCap), "in a row"
+    };
+}
+
+Warning forcesOff(const SolveReport& report)
+{
+    const std::string text = formatted
+    (
+        "velocities have converged, forces not: the mean grain's velocity, weighted by force, is still off by %.3g of what the tolerance multiplies; in a "
+        "flow only so many sweeps are spent on that; a smaller tolerance makes velocities and forces finer",
+        report.forceError
+    );
+    return {"forces off", text, report.forceError, "of the forces"};
+}
+
+} // namespace
+
+std::vector<Warning> warnings(const SolveReport& report)
+{
+    std::vector<Warning> all;
+    if (report.hiddenMassRatio > 0.0) all.push_back(unlikeMasses(report));
+    if (report.hasGainedEnergy()) all.push_back(scaledRebounds(report));
+    if (!report.converged && !report.atCap) all.push_back(forcesOff(report));
+    if (report.stepsAtCap >= patience) all.push_back(alwaysAtCap(report));
+    return all;
+}
+
+std::string warning(const SolveReport& report)
+{
+    std::string text;
+    for (const Warning& one : warnings(report)) text += (text.empty() ? "" : "; and ") + one.text;
+    return text;
+}
+
+bool WarningCounts::count(const Warning& warning, double time)
+{
+    const auto known = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& k) { return k.worst.kind == warning.kind; });
+    if (known == kinds_.end())
+    {
+        kinds_.push_back({warning, 1, time});
+        return true;
+    }
+    ++known->steps;
+    if (warning.measure > known->worst.measure) known->worst = warning;
+    return false;
+}
+
+std::string WarningCounts::lines() const
+{
+    std::string all;
+    for (const Kind& kind : kinds_)
+    {
+        all += formatted
+        (
+            "  %-22s %ld steps, first at %.9g s, worst %.3g %s\n",
+            kind.worst.kind.c_str(), kind.steps, kind.first, kind.worst.measure, kind.worst.unit.c_str()
+        );
+    }
+    return all;
+}
+
+} // namespace nscd
