@@ -16,7 +16,7 @@
 
 TEST(FolderLock, isForOneAtATime)
 {
-    const std::string folder = std::filesystem::temp_directory_path()/"nscdFolderLock";
+    const std::string folder = std::filesystem::temp_directory_path()/("nscdFolderLock" + std::to_string(::getpid()));
     std::filesystem::create_directory(folder);
     auto lock = std::make_unique<nscd::FolderLock>(folder);
     EXPECT_THROW(nscd::FolderLock other(folder), std::runtime_error);

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
@@ -24,7 +26,7 @@ namespace
 class TemporaryFile
 {
 public:
-    explicit TemporaryFile(const std::string& content) : path_(testing::TempDir() + "nscdStlTest.stl")
+    explicit TemporaryFile(const std::string& content) : path_(testing::TempDir() + std::to_string(::getpid()) + ".nscdStlTest.stl")
     {
         std::ofstream(path_, std::ios::binary) << content;
     }

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 
 using namespace scenes;
@@ -161,7 +163,7 @@ TEST(ClumpMotion, restartsToTheBit)
     const int shape = addShape(scene, pebble());
     for (int k = 0; k < 4; ++k) addClump(scene, shape, Vec3(0.001*k, 0.002*k, 0.02 + 0.035*k), Quaternion(1, 0.3*k, 0.1, 0));
     scene.addGrain(Vec3(0.03, 0, 0.02), memberRadius);
-    const std::string path = (std::filesystem::temp_directory_path() / "nscdClumps.state").string();
+    const std::string path = (std::filesystem::temp_directory_path() / ("nscdClumps.state" + std::to_string(::getpid()))).string();
 
     auto straight = scene.build();
     for (int k = 0; k < 60; ++k) step(straight, scene.g, 1e-3);
