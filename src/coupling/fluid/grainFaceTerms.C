@@ -6,6 +6,7 @@
 
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "linear.H"
+#include "reverseLinear.H"
 #include "surfaceInterpolate.H"
 
 namespace Foam
@@ -52,16 +53,31 @@ tmp<surfaceScalarField> fluxOf(const volVectorField& cells)
     return cells.mesh().Sf() & fvc::interpolate(cells, "flux(HbyA)");
 }
 
+// The mean over the way from one cell's center to the other's, of what is the same in all of a cell: each counts with its part of the
+// way, so the pressure that balances it is right at both centers, and the sum over the cells is the same before and after
+// FaceReconstruction.
+template<class Type>
+tmp<GeometricField<Type, fvsPatchField, surfaceMesh>> meanOnTheWay(const GeometricField<Type, fvPatchField, volMesh>& cells)
+{
+    return reverseLinear<Type>(cells.mesh()).interpolate(cells);
+}
+
+// By the scheme that the case chose for vectors, moved from linear weights to those above.
+tmp<surfaceScalarField> fluxOnTheWay(const volVectorField& cells)
+{
+    return fluxOf(cells) + (cells.mesh().Sf() & (meanOnTheWay(cells) - linearInterpolate(cells)));
+}
+
 tmp<surfaceScalarField> weightedMean(const volScalarField& cells, const autoPtr<ResponseTerms>& response)
 {
-    if (!response.valid()) return linearInterpolate(cells);
-    return response->chiFace*linearInterpolate(cells/response->chi);
+    if (!response.valid()) return meanOnTheWay(cells);
+    return response->chiFace*meanOnTheWay<scalar>(cells/response->chi);
 }
 
 tmp<surfaceScalarField> weightedFlux(const volVectorField& cells, const autoPtr<ResponseTerms>& response)
 {
-    if (!response.valid()) return fluxOf(cells);
-    return response->chiFace*fluxOf(cells/response->chi);
+    if (!response.valid()) return fluxOnTheWay(cells);
+    return response->chiFace*fluxOnTheWay(cells/response->chi);
 }
 
 tmp<volVectorField> explicitForce(const GrainSources& sources, const FluidFields& fields)
@@ -86,7 +102,7 @@ List<Border> bordersOf(const FluidFields& fields)
 ResponseTerms::ResponseTerms(const GrainSources& sources, const List<Border>& borders)
 :
     chi("chi", 1 + sources.pressure/sources.fluidFraction),
-    chiFace("chiFace", 1/linearInterpolate(1/chi)),
+    chiFace("chiFace", 1/meanOnTheWay<scalar>(1/chi)),
     slip("slipFace", motionOnFaces(linearInterpolate(sources.slip/sources.fluidFraction), borders)),
     carried("carriedFlux", motionOnFaces(fluxOf(sources.carried), borders)),
     mobility("mobilityFace", motionOnFaces(linearInterpolate(sources.mobility), borders))

@@ -50,6 +50,7 @@ DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const scalar length)
 :
     mesh_(mesh),
     isOn_(length > 0),
+    area_(sqr(length)/(16*std::log(2.0))),
     controls_(tightSolver())
 {
     if (!isOn_)
@@ -66,7 +67,7 @@ DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const scalar length)
             borderTypes(mesh)
         )
     );
-    const dimensionedScalar minusDiffusion("minusDiffusion", dimArea, -sqr(length)/(16*std::log(2.0)));
+    const dimensionedScalar minusDiffusion("minusDiffusion", dimArea, -area_);
     matrix_ = autoPtr<fvScalarMatrix>
     (
         fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected

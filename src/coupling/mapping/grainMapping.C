@@ -211,14 +211,30 @@ const MappingReport& GrainMapping::update(const ::nscd::Grains& grains, const ::
     growHalo(grains);
     locate(grains, box);
     listMissing(grains);
+    box_ = box;
+    volumes_.resize(grains.nOwned);
     weights_.clear();
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
-        buildRow({positions_[i], grains.radius[i], cells_[i]}, grains.volume(i));
+        volumes_[i] = grains.volume(i);
+        buildRow({positions_[i], grains.radius[i], cells_[i]}, volumes_[i]);
     }
     buildSolidFraction(grains);
     sumReport();
     return report_;
+}
+
+// Solid fractions as grains sample the fluid fraction.
+OwnTrace GrainMapping::ownTrace() const
+{
+    const MappingMesh& mesh = layout_->mesh;
+    scalarField inCell = solidFraction_;
+    makeAsGrainsSee({{&inCell}, {}});
+    scalarField nextTo = meanNextTo(mesh, inCell);
+    const CellFields fields{{&nextTo}, {}};
+    fields.resize(mesh.nCells());
+    layout_->exchange.toHalo(fields);
+    return traceOwn(mesh, weights_, volumes_, {inCell, nextTo}, box_, smoother_.area());
 }
 
 void GrainMapping::setFluidFraction(volScalarField& fluidFraction) const

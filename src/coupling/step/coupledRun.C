@@ -7,6 +7,7 @@
 
 #include "coupling/base/vectorConversion.H"
 #include "coupling/step/fluidAtGrains.H"
+#include "coupling/step/ownWake.H"
 
 #include "input/scene/drivenReader.hpp"
 
@@ -50,7 +51,11 @@ void CoupledRun::driveTo(scalar end, scalar deltaT)
 void CoupledRun::sampleFluid()
 {
     const auto timer = timing_.time(StepPart::sampleFluid);
-    if (hasFluid() && hasGrains()) sampleAtGrains(forces_.readsAtStart());
+    if (!hasFluid() || !hasGrains()) return;
+    step_.at.ownWake.clear();
+    sampleAtGrains(forces_.readsAtStart() | (ownWake_ ? reads::own : reads::nothing));
+    if (!ownWake_) return;
+    followOwnWake(forceInputs(), fluidForce_, ownStressShare(properties_.forces), time_.deltaTValue(), step_.at, *ownWake_);
 }
 
 void CoupledRun::sampleAtGrains(unsigned wanted)
@@ -129,7 +134,11 @@ void CoupledRun::fluidForces()
 {
     const auto timer = timing_.time(StepPart::fluidForces);
     if (!hasGrains()) return;
-    if (hasFluid()) sampleAtGrains(forces_.readsAfterSolve());
+    if (hasFluid())
+    {
+        sampleAtGrains(forces_.readsAfterSolve());
+        removeOwnWake(step_.at);
+    }
     step_.force = forces_.explicitForces(forceInputs(), step_.exchanged);
 }
 

@@ -30,7 +30,8 @@ constexpr bool isWritten = true;
 // What each grain remembers from one step to the next.
 const Remembered<Vec3> dragDebt{"dragDebt", "N s", Vec3::Zero(), isWritten, OnRestart::required};
 const Remembered<Vec3> contactForce{"fContact", "N", Vec3::Zero(), isWritten, OnRestart::required};
-const Remembered<Vec3> fluidForce{"fFluid", "N", Vec3::Zero(), isWritten, OnRestart::forgotten};
+const Remembered<Vec3> fluidForce{"fFluid", "N", Vec3::Zero(), isWritten, OnRestart::optional};
+const Remembered<Vec3> ownWakeOfGrain{"ownWake", "m/s", Vec3::Zero(), isWritten, OnRestart::optional};
 
 /// The time that a directory's name gives has lost digits; a directory that was renamed, to start anew at 0 say, keeps its name.
 void continueTime(Time& time, scalar written)
@@ -76,6 +77,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     debt_(memory_.add(dragDebt)),
     lastContactForce_(memory_.add(contactForce)),
     fluidForce_(memory_.add(fluidForce)),
+    ownWake_(correctsOwnWake(properties_, scene_.space.shape.dimensions) ? &memory_.add(ownWakeOfGrain) : nullptr),
     log_(time, Info, properties_.solvesFluid)
 {
     startGrains();

@@ -67,6 +67,11 @@ void sampleFluid
     mapping.sample(fields.scalars, fields.vectors);
 
     GrainValues sampled;
+    if (wanted & reads::own)
+    {
+        at.own = mapping.ownTrace();
+        sampled = {{&at.own.fraction, &at.own.others}, {&at.own.flowDiagonal, &at.own.flowOffDiagonal}};
+    }
     for (const ScalarSample& field : fields.scalars) sampled.scalars.push_back(&field.grains);
     for (const VectorSample& field : fields.vectors) sampled.vectors.push_back(&field.grains);
     atHome.toOwners(sampled);

@@ -43,11 +43,13 @@ GrainAmounts amountsOf
     }
     for (std::size_t i = 0; i < n; ++i)
     {
+        const Vec3 own = step.at.ownWake.empty() ? Vec3::Zero() : step.at.ownWake[i];
+        const Vec3 intercept = response.intercept[i] - response.slip[i]*own;
         amounts.drag[i] = (drag.implicit[i]*(1 - response.slip[i]) + drag.remainder[i])/fluidDensity;
         const Vec3 repaid = repaidShare/deltaT*debt[i];
         amounts.acceleration[i] =
-            (drag.implicit[i]*response.intercept[i] + drag.remainder[i]*grains.velocity[i] + repaid)/fluidDensity;
-        amounts.carried[i] = grains.volume(i)*response.intercept[i];
+            (drag.implicit[i]*(intercept + own) + drag.remainder[i]*(grains.velocity[i] + own) + repaid)/fluidDensity;
+        amounts.carried[i] = grains.volume(i)*intercept;
         if (response.isZero) continue;
         amounts.pressure[i] = drag.implicit[i]*response.mobility[i];
         amounts.slip[i] = grains.volume(i)*response.slip[i];

@@ -109,4 +109,30 @@ TEST(fluidResponse, layersShareTheFluxAndSplitTheGradient)
     expectState(tube, 30, solved(dilute, 0, 0), 1e-6);
 }
 
+// Cells that grow by 1.4, from one to the next as different as suspensions are: what all cells feel of the pressure is what the ends do.
+TEST(fluidResponse, gradientsSumToTheForceOnTheEndsInGrowingCells)
+{
+    for (const bool responds : {true, false})
+    {
+        FluidCaseSettings settings = tubeCase(12, 1);
+        settings.box.movePoint = [](const point& x) { return point((std::pow(1.4, 12*x.x()) - 1)/(std::pow(1.4, 12) - 1), x.y(), x.z()); };
+        settings.nu = 0;
+        settings.rho = rho;
+        settings.convection = "Gauss upwind";
+        settings.box.deltaT = 0.02;
+        settings.borderU = {{0, "type fixedValue; value uniform (0.05 0 0);"}, {1, "type zeroGradient;"}};
+        settings.borderP = {{0, "type fixedFluxPressure; value uniform 0;"}, {1, "type fixedValue; value uniform 0;"}};
+        settings.pimple = "nOuterCorrectors 1; nCorrectors 8; momentumPredictor yes;";
+        FluidCase tube(settings);
+        setSources(tube.sources(), [&](const point& x) { return int(1e4*x.x()) % 3 ? dense : dilute; });
+        tube.sources().hasResponse = responds;
+        tube.steps(3);
+        const volScalarField& p = tube.mesh().lookupObject<volScalarField>("p_rgh");
+        scalar onEnds = 0;
+        forAll(p.boundaryField(), patchi) onEnds += sum(p.boundaryField()[patchi]*tube.mesh().Sf().boundaryField()[patchi].component(0));
+        const scalar felt = sum(tube.mesh().V().field()*tube.fluid().balancedPressureGradient().primitiveField().component(0));
+        EXPECT_NEAR(felt/onEnds, 1, 1e-9) << responds;
+    }
+}
+
 } // End anonymous namespace

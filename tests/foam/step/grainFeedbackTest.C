@@ -87,6 +87,21 @@ TEST(GrainFeedback, theFluidLosesWhatTheGrainsAreBooked)
     }
 }
 
+TEST(GrainFeedback, theFluidLosesAsMuchWhenGrainsTakeTheirWakeOut)
+{
+    for (const bool respond : {true, false})
+    {
+        Feedback feedback;
+        if (!respond) feedback.step.response = laggedResponse(feedback.grains);
+        std::vector<Vec3>& velocity = feedback.step.at.velocity;
+        feedback.step.at.ownWake = RandomNumbers(7).vecs(velocity.size());
+        for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] -= feedback.step.at.ownWake[i];
+        feedback.handOver();
+        const StepBalance balance = settleDebt(feedback.step, deltaT, feedback.debt);
+        EXPECT_LT((balance.paid + deltaT*feedback.onFluid()).norm(), 1e-12*balance.paid.norm()) << respond;
+    }
+}
+
 TEST(GrainFeedback, explicitForcesGoToTheFluidTurnedRoundAndAsTheyAre)
 {
     Feedback feedback;

@@ -53,12 +53,12 @@ nscd::ContactSettings settings(double tolerance)
     return settings;
 }
 
-/// A09: settles at the default settings, at last in a viscous medium, then holds for 2000 steps at 1e-8 g dt.
-void boxOfDiscs()
+/// A09: settles at the default settings, at last in a viscous medium, then holds for 2000 steps at 1e-8 g dt. One packing in three
+/// or four holds a contact that takes some 30 sweeps a step, so that sweeps are told of several and not of a chosen one.
+void boxOfDiscs(double smallest)
 {
-    std::printf("A09: 500 polydisperse discs settled, then 2000 steps\n");
-    // One packing in three or four holds a contact that takes some 30 sweeps a step to 1e-8, whatever made it: this is one that does not.
-    Scene scene = heap(2, 20, 25, radius, 0.602, 0.5);
+    std::printf("A09: 500 discs, the smallest %g of the largest, settled, then 2000 steps\n", smallest);
+    Scene scene = heap(2, 20, 25, radius, smallest, 0.5);
     auto settling = scene.build(awake());
     for (int k = 0; k < 2000; ++k) step(settling, scene.g, deltaT);
     for (int k = 0; k < 1000; ++k) stepDamped(settling, scene.g, deltaT);
@@ -82,7 +82,7 @@ void boxOfDiscs()
     require("floor and walls against weight, worst step", balance, 1e-6);
     require("kinetic energy, m g d", nscd::kineticEnergy(dynamics.grains())/unit, 1e-12);
     require("creep of the mass center per 1000 steps, d", 0.5*(nscd::massCenter(dynamics.grains()) - before).norm()/(2*radius), 1e-7);
-    require("sweeps a step", sweeps/2000.0, 12.0);
+    require("sweeps a step", sweeps/2000.0, 40.0);
 }
 
 /// A08 and S5: N spheres from cold; error of the impulses in N m g dt.
@@ -181,7 +181,7 @@ void bedOfSpheres()
 
 int main()
 {
-    boxOfDiscs();
+    for (double smallest : {0.6, 0.65, 0.7}) boxOfDiscs(smallest);
     for (int grains : {100, 1000}) tallStack(grains, 1e-6);
     hexagonalStack();
     bedOfSpheres();

@@ -29,23 +29,23 @@ void heavyOnLight(int light, double ratio, int maxSweeps, int steps)
     nscd::ContactSettings settings;
     settings.maxSweeps = maxSweeps;
     auto dynamics = scene.build(settings);
-    int capped = 0, silent = 0, mostSweeps = 0;
-    double overlap = 0.0, worstForce = 0.0;
+    int capped = 0, mostSweeps = 0;
+    double overlap = 0.0, worstForce = 0.0, worstConverged = 0.0;
     const double load = dynamics.grains().mass[0]*gravity*(light + ratio);
     for (int k = 0; k < steps; ++k)
     {
         const nscd::StepReport report = step(dynamics, scene.g, deltaT);
         capped += !report.solve.converged;
-        const bool isWithin = report.solve.residualRms <= settings.tolerance*report.solve.speedScale;
-        silent += report.solve.converged && !isWithin;
         mostSweeps = std::max(mostSweeps, report.solve.sweeps);
         overlap = std::max(overlap, 2*report.overlapMax);
-        worstForce = std::max(worstForce, std::abs(dynamics.wallForce()[0][2] + load)/load);
+        const double forceOff = std::abs(dynamics.wallForce()[0][2] + load)/load;
+        worstForce = std::max(worstForce, forceOff);
+        if (report.solve.converged) worstConverged = std::max(worstConverged, forceOff);
     }
     std::printf("S4: 1:%g on a stack of %d, cap %d, %d steps: %d at the cap, most sweeps %d, base force off by %.2g at worst, overlap %.2g r, top at %.6f of its height\n",
         ratio, light, maxSweeps, steps, capped, mostSweeps, worstForce, overlap,
         dynamics.grains().position.back()[2]/scene.grains.position.back()[2]);
-    require("steps that claim convergence without it", silent, 0);
+    require("base force of steps that say converged, off by", worstConverged, 0.02);
 }
 
 /// S16: a settled heap whose gravity is turned over, then sideways.

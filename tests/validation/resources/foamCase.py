@@ -98,7 +98,7 @@ class BoxCase(CaseFolder):
         for side, faces in FACES.items():
             neighbor = "neighbourPatch %s; " % OPPOSITE[side] if self.types[side] == "cyclic" else ""
             sides += "%s { type %s; %sfaces (%s); }\n" % (side, self.types[side], neighbor, faces)
-        self.write("system/blockMeshDict", "vertices (%s);\nblocks (hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (%g %g %g));\n"
+        self.write("system/blockMeshDict", "vertices (%s);\nblocks (hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (%s %s %s));\n"
                    "boundary\n(\n%s);" % ((vertices,) + tuple(self.cells) + tuple(self.grading) + (sides,)))
 
     def fluid(self, rho, mu, gravity=(0, 0, -9.81), U=(0, 0, 0), sides=None, pressureSides=None):

@@ -100,6 +100,7 @@ ForceSettings readForces(const CheckedEntries& top)
     const CheckedEntries drag(dragDict);
     settings.dragLaw = drag.choice("law", dragWords(), settings.dragLaw);
     settings.dragWeight = drag.choice("weight", {"exponential", "backwardEuler"}, settings.dragWeight);
+    settings.correctsOwnWake = drag.flag("ownWakeCorrection", settings.correctsOwnWake);
     drag.finish();
     settings.switches["drag"] = {settings.dragLaw != "none", given.place("drag")};
     for (const auto& [name, byDefault] : forceSwitches) settings.switches[name] = {given.flag(name, byDefault), given.place(name)};
@@ -188,6 +189,13 @@ dictionary GrainProperties::meanFlowDict() const
     dictionary dict("meanFlow");
     if (holdsMeanFlow) dict.add("target", meanFlow);
     return dict;
+}
+
+
+bool correctsOwnWake(const GrainProperties& properties, int dimensions)
+{
+    const ForceSettings& forces = properties.forces;
+    return properties.solvesFluid && properties.hasFeedback && forces.isOn("drag") && forces.correctsOwnWake && dimensions == 3;
 }
 
 

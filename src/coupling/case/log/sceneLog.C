@@ -50,13 +50,14 @@ bool areWallsUnseen(const GrainProperties& properties)
     return properties.solvesFluid && !properties.walls.patches.empty();
 }
 
-string describeFluid(const GrainProperties& properties)
+string describeFluid(const GrainProperties& properties, int dimensions)
 {
     if (!properties.solvesFluid) return "none";
     return formatted
     (
-        "solved, feedback %s; drag %s; void fraction %s",
-        properties.hasFeedback ? "on" : "off", properties.forces.dragLaw.c_str(), properties.voidFraction.method.c_str()
+        "solved, feedback %s; drag %s%s; void fraction %s",
+        properties.hasFeedback ? "on" : "off", properties.forces.dragLaw.c_str(),
+        correctsOwnWake(properties, dimensions) ? ", corrected for the own wake of lone grains" : "", properties.voidFraction.method.c_str()
     );
 }
 
@@ -86,7 +87,7 @@ void logScene
         "%s, tolerance %.3g, at most %d sweeps, %s", contact.solver.c_str(), contact.tolerance, contact.maxSweeps,
         nscd::describeWork(properties.materials.table, scene.space.shape, contact).c_str()
     ));
-    line("fluid", describeFluid(properties));
+    line("fluid", describeFluid(properties, scene.space.shape.dimensions));
     for (const string& patch : inflow) line("inflow", patch);
     if (Pstream::parRun()) line("ranks", formatted("%d, load at most %.3g of the mean", Pstream::nProcs(), properties.maxLoadImbalance));
     os << endl;
