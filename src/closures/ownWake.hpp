@@ -29,8 +29,8 @@ Eigen::Matrix3d flowInOtherCell(const Eigen::Vector3d& distance, double side, do
 double wakeInFraction(double ownFraction);
 
 /// How much of the speed of its wake in its cells a grain takes along: the speed at which the wake stays behind is the grain's against
-/// the fluid less 0.6 of that.
-constexpr double wakeTakenAlong = 0.6;
+/// the fluid less 0.63 of that.
+constexpr double wakeTakenAlong = 0.63;
 
 /// Share of that flow which inertia leaves; Re_h = rho v h/mu with h^3 the volume that the force is spread over, v the speed at which the
 /// wake stays behind.
