@@ -21,7 +21,7 @@ struct SolverStrategy
         double loneDefect = 10.0;   ///< largest defect over the rms limit [-]: a grain that can roll is driven by what a single contact is off by
     } polish;
 
-    /// In a flow whose velocities are met, forces are given so many more sweeps; then the step says by how much they are off. Plugs between a belt and a plate that
+    /// In a flow, or where a wall drives, forces are given so many more sweeps once velocities are met; then the step says by how much they are off. Plugs between a belt and a plate that
     /// presses on it may have no solution at all: to the cap, a layer of 395 discs sheared so takes six times as long, and is not right either.
     struct Forces
     {

@@ -45,13 +45,13 @@ private:
     double share_;  ///< of the rms that a sweep meets, what it leaves
 };
 
-/// Sweeps after which a flow is done with its forces, of a solve that met the velocities asked for after `met` sweeps: see SolverStrategy::Forces.
+/// Sweeps after which a flow, or a bed that walls drive, is done with its forces, of a solve that met the velocities asked for after `met` sweeps: see SolverStrategy::Forces.
 inline int lastSweepForForces(int met, const SolverStrategy::Forces& strategy)
 {
     return met + std::max(strategy.leastSweeps, static_cast<int>(strategy.share*met));
 }
 
-/// Repeats passes until the rule is met and the solution polished, or maxSweeps, or, in a flow whose velocities are met, as many as its forces are worth.
+/// Repeats passes until the rule is met and the solution polished, or maxSweeps, or, in a flow or under walls that drive, once velocities are met, as many as its forces are worth.
 /// `help` makes them and acts between them: DefectSums pass() returns the defects it met; int afterSweep(sweeps, sums, rule) returns the work it did, in sweeps; forget() is called when
 /// blocks woke up; polish(sums, rule) tells whether a solution that meets the rule is polished, or now is; complete(report, rule) with
 /// each solution that may be the last one.
@@ -84,7 +84,7 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
         const bool isPolishing = isMet && polishing < settings.polishSweeps && !help.polish(sums, rule);
         if (isPolishing) ++polishing;
         else if (rule.isMet(left) && isSolved()) return report;
-        if (met > 0 && problem.isFlowing() && report.sweeps >= lastSweepForForces(met, settings.strategy.forces) && asked.isMet(residual(problem))) break;
+        if (met > 0 && problem.areForcesBounded() && report.sweeps >= lastSweepForForces(met, settings.strategy.forces) && asked.isMet(residual(problem))) break;
         const bool hasFailed = rule.isMet(left) && !isPolishing;
         if ((hasFailed || isWakingDue(report.sweeps, problem, settings.strategy.waking)) && wakeBlocks(problem)) help.forget();
         const int work = help.afterSweep(report.sweeps, left, rule);

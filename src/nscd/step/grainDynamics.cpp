@@ -115,6 +115,13 @@ double GrainDynamics::Implementation::measureMotion(double speedScale) const
     return sums[1] > 0.0 ? sums[0]/sums[1] : 1.0;
 }
 
+/// Whether a wall that a grain is near goes faster than the speed scale.
+bool GrainDynamics::Implementation::areWallsDriving(double speedScale) const
+{
+    const bool isAnyFast = std::any_of(list.bodies.begin() + list.firstWallBody(), list.bodies.end(), [=](const Body& wall) { return Vec3(wall.v).norm() > speedScale; });
+    return list.halo.any(isAnyFast);
+}
+
 void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
 {
     const Stopwatch watch(times.buildContacts);
@@ -149,6 +156,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
+    problem.isDriven = areWallsDriving(external.speedScale);
     const SolveReport report = solveWhereAwake(problem, settings, solve);
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     return report;

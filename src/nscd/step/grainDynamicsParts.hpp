@@ -85,6 +85,7 @@ struct GrainDynamics::Implementation
     void chooseKernelsOfStep();
     SolveReport solveVelocities(const ExternalForces& external);
     double measureMotion(double speedScale) const;
+    bool areWallsDriving(double speedScale) const;
     void prepareSolve(const ExternalForces& external);
     SolveReport solveOnce(const ExternalForces& external);
     SolveReport solveAndWake(const ExternalForces& external);

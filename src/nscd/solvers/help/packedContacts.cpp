@@ -108,6 +108,7 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
         whole.deltaT, whole.speedScale, whole.diameter, whole.position
     };
     packed.motion = whole.motion;
+    packed.isDriven = whole.isDriven;
     packed.massRatio = whole.massRatio;
     packed.leftOut = this;
     packed.freeVelocity = whole.freeVelocity;

@@ -67,8 +67,14 @@ struct ContactProblem
     /// In a packed problem what holds the contacts that are not in it; null: all are.
     ContactsLeftOut* leftOut = nullptr;
 
+    /// Whether a wall goes along or into grains faster than the speed scale: what slides on it may have no forces that are right (a plug between a belt
+    /// and a plate that presses on it), also where most grains rest.
+    bool isDriven = false;
+
     /// Whether most grains move: what a solve leaves is then soon forgotten, where in a bed that comes to rest it decides on how.
     bool isFlowing() const { return motion >= 0.5; }
+    /// Whether only so many sweeps are spent on forces: see SolverStrategy::Forces.
+    bool areForcesBounded() const { return isFlowing() || isDriven; }
 
     /// All blocks but the general ones.
     BlockRange all() const { return {nullptr, general ? general->firstBlock : blocks.size()}; }

@@ -61,18 +61,35 @@ TEST(StepReport, warnsOfACapThatStepAfterStepEndsAt)
     }
 }
 
-// Between a floor and a lid that comes down, at a speed that the tolerance leaves room for, no impulse is ever enough: the solve of a flow gives up, and says so.
-TEST(StepReport, saysByHowMuchForcesOfAFlowAreOff)
+/// One step of three grains between a floor and a lid that comes down, at a speed, in g dt, that the tolerance leaves room for: no impulse is ever enough.
+nscd::SolveReport squeeze(double speedOfGrains, double speedOfBelt, double speedOfLid)
 {
     Scene scene(3, 0.0, 0.0);
     for (int i = 0; i < 3; ++i) scene.addGrain(Vec3(0, 0, 0.01*(2*i + 1)), 0.01);
-    for (Vec3& v : scene.grains.velocity) v = Vec3(1, 0, 0);
+    for (Vec3& v : scene.grains.velocity) v = Vec3(speedOfGrains, 0, 0);
     scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
     scene.addPlane(Vec3(0, 0, 0.06), -Vec3::UnitZ());
-    const double closing = 0.025*scene.g.norm()*1e-3;
+    const double closing = speedOfLid*scene.g.norm()*1e-3;
     scene.walls.setMotion(1, [closing](double time) { return nscd::WallPose(Eigen::Translation3d(0, 0, -closing*time)); });
+    scene.walls.setSurfaceMotion(1, nscd::belt(Vec3(speedOfBelt, 0, 0)));
     auto dynamics = scene.build(nscd::ContactSettings());
-    const nscd::SolveReport report = step(dynamics, scene.g, 1e-3).solve;
+    return step(dynamics, scene.g, 1e-3).solve;
+}
+
+// Where walls drive, the solve gives up, and says so, also where grains rest.
+TEST(StepReport, boundsTheForcesOfABedThatABeltSlidesAlong)
+{
+    const nscd::SolveReport report = squeeze(0.0, 1.0, 0.015);
+    EXPECT_FALSE(report.converged);
+    EXPECT_FALSE(report.atCap);
+    EXPECT_LT(report.sweeps, 200);
+    EXPECT_TRUE(squeeze(0.0, 0.0, 0.015).atCap);
+}
+
+// The solve of a flow gives up, and says so.
+TEST(StepReport, saysByHowMuchForcesOfAFlowAreOff)
+{
+    const nscd::SolveReport report = squeeze(1.0, 0.0, 0.025);
     EXPECT_FALSE(report.converged);
     EXPECT_FALSE(report.atCap);
     EXPECT_GT(report.forceError, 0.01);
