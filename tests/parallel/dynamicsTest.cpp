@@ -4,6 +4,7 @@
 // Grains on several ranks do what they do on one, whatever the cut.
 #include "rankedScene.hpp"
 
+#include "unit/nscd/scenes/impulseBalance.hpp"
 #include "unit/nscd/scenes/naturalMap.hpp"
 
 #include <gtest/gtest.h>
@@ -300,4 +301,22 @@ TEST(Ranks, conjugateGradientsWorkAcrossThem)
         loaded += report.solve.contacts > 100;
     }
     EXPECT_GT(loaded, 10);
+}
+
+TEST(Ranks, contactsHoldAllThatGrainsGetReboundsIncluded)
+{
+    Scene scene = heap(3, 6, 4, radius, 0.6, friction);
+    for (int a : {0, 1}) for (int b : {0, 1}) scene.materials.setPair(a, b, {friction, 0.6});
+    for (const Cut& cut : cuts(6))
+    {
+        RankedScene run(scene, nscd::ContactSettings(), cut.ownerOf);
+        for (int k = 0; k < 40; ++k)
+        {
+            const nscd::Grains before = run.gatherGrains();
+            step(run.dynamics(), scene.g, deltaT);
+            const nscd::Grains after = run.gatherGrains();
+            const std::vector<Vec3> impulses = sumOfImpulses(run.gatherContacts(), before.size());
+            ASSERT_LT(worstImbalance(before, after, impulses, scene.g, deltaT, [](std::size_t) { return true; }), 1e-11) << cut.name << ", step " << k;
+        }
+    }
 }

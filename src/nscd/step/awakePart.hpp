@@ -18,6 +18,7 @@ public:
     /// Takes the list of all contacts, with geometry and impulses as between two steps.
     void hold(ContactList whole, ContactForceSum& sumForces, const Scene& scene, double deltaT);
     const ContactList& whole() const { return whole_; }
+    ContactList& whole() { return whole_; }
     /// Gives the list of all contacts up again.
     ContactList release() { return std::move(whole_); }
 

@@ -71,6 +71,7 @@ void GrainDynamics::Implementation::makeWallSearch()
 void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity, bool isStraight)
 {
     const Stopwatch watch(times.findPairs);
+    shockImpulses.clear();
     const bool areSomeAsleep = sleep.any();
     // Within a step laws act by the impulses at its start, whatever a solve has made of them since.
     const bool isWithinStep = isStepBegun && list.laws.areOfStart() && !areSomeAsleep;
@@ -169,7 +170,7 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
     for (int attempt = 0; !coversStep(); ++attempt)
     {
         if (attempt == maxListRebuilds) throw std::runtime_error("contact list cannot follow the grains; use a smaller time step");
-        std::vector<Vec3> velocity(grains.size());
+        std::vector<Vec3> velocity = grains.velocity;   // of those that sleep, which are not in the list
         for (int body = 0; body < list.owned(); ++body)
         {
             velocity[list.grainOf[body]] = (attempt + 1.0)*Vec3(list.bodies[body].v);
@@ -276,6 +277,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
 {
     Implementation& self = *self_;
     self.checkReady(external);
+    self.shockImpulses.clear();
     if (self.sleep.any()) self.wake(self.sleep.disturbedBy(self.grains, external, self.deltaT));
     if (self.isEverybodyAsleep())
     {

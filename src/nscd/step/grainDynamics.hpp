@@ -36,7 +36,7 @@ struct LoadedContact
     std::int64_t idB;
     Vec3 normal;   ///< unit, from b to a, at the present positions
     double gap;    ///< [m], at the present positions; negative: overlap
-    Vec3 impulse;  ///< on a [N s], of the motion of the last step, attraction included
+    Vec3 impulse;  ///< on a [N s], over the whole of the last step: rebound and attraction included
     Vec3 attraction = Vec3::Zero();  ///< what laws that are known beforehand have in it [N s]
     Vec3 moment = Vec3::Zero();      ///< of laws beside Coulomb's on a [N m s]; that of `impulse` comes on top
 };
@@ -105,6 +105,8 @@ public:
     void setTime(double time);
 
     /// All contacts solved on this rank that carried an impulse or attracted in the last step; empty before the first one and after checkpoint().
+    /// To be called before the next beginStep(), which may list contacts anew and then knows of the motion's impulses alone.
+    /// Equation: sum of impulses on a grain = m dv - dt (f - gamma v)
     std::vector<LoadedContact> contacts() const;
 
     /// Impulses of all contacts solved on this rank that carry one. After this call the next step searches anew, as a restarted run does,

@@ -14,6 +14,7 @@
 #include "nscd/step/contactStep.hpp"
 #include "nscd/step/generalMotion.hpp"
 #include "nscd/step/grainDynamics.hpp"
+#include "nscd/step/shockImpulses.hpp"
 #include "nscd/step/shockWork.hpp"
 
 namespace nscd
@@ -57,6 +58,7 @@ struct GrainDynamics::Implementation
     StepReport lastReport;
     bool isStepBegun = false;
     ImpulseRecord beforeStep;     // kept where laws act by it
+    ShockImpulses shockImpulses;  // of the last step
     ContactForces forces;
     ContactForceSum sumForces;
     StepTimes times;
@@ -71,6 +73,8 @@ struct GrainDynamics::Implementation
         return sleep.any() ? awakePart.forcesOn(list, loaded(), sumForces, scene(), deltaT) : sumForces(list, loaded(), scene(), deltaT);
     }
     const ContactList& wholeList() const { return sleep.any() ? awakePart.whole() : list; }
+    ContactList& wholeList() { return sleep.any() ? awakePart.whole() : list; }
+    static std::vector<LoadedContact> contactsOf(const ContactList& list);
     bool isEverybodyAsleep() const { return sleep.any() && awakePart.isEmpty(); }
     bool maySleep() const { return settings.sleep && !exchange->isParallel() && list.general.empty(); }
     double deadBand() const { return settings.deadBand*diameter; }
@@ -100,7 +104,6 @@ struct GrainDynamics::Implementation
     void checkReady(const ExternalForces& external) const;
     StepReport restingReport() const;
     void rebound(const ExternalForces& external, SolveReport& report);
-    void restoreImpulses(const Shock& inelastic);
     void limitWork(const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report);
     void correctPositions(StepReport& report);
 };

@@ -7,7 +7,6 @@
 
 #include "nscd/solvers/help/andersonAcceleration.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace nscd
@@ -16,6 +15,7 @@ namespace nscd
 void GrainDynamics::Implementation::rebound(const ExternalForces& external, SolveReport& report)
 {
     Shock inelastic;
+    inelastic.impulses = shockImpulses.release();
     inelastic.bodies = list.bodies;
     inelastic.general = list.general.bodies;
     setFreeVelocities(list, grains, external, deltaT, sleep);
@@ -38,7 +38,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     if (sleep.any() && !sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty())
     {
         // A shock goes through everything that touches: once more, with nobody asleep.
-        restoreImpulses(inelastic);
+        swapImpulses(list, inelastic.impulses, inelastic.ofLaws);
         awakePart.giveBack(list, forcesOnBodies());
         giveUpSleep();
         prepareSolve(external);
@@ -47,17 +47,10 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     }
     limitWork(freeBodies, inelastic, shock, report);
     giveToGrains(forcesOnBodies(), list.grainOf, forces);
+    if (sleep.any()) shockImpulses.keep(awakePart.impulses(list));
     // The next step starts from the impulses of the motion, not from those of the shock.
-    restoreImpulses(inelastic);
-}
-
-void GrainDynamics::Implementation::restoreImpulses(const Shock& inelastic)
-{
-    for (std::size_t k = 0; k < list.blocks.size(); ++k)
-    {
-        std::copy_n(inelastic.impulses.begin() + static_cast<std::ptrdiff_t>(3*blockLanes*k), 3*blockLanes, &list.blocks[k].r[0][0]);
-    }
-    for (std::size_t slot = 0; slot < inelastic.ofLaws.size(); ++slot) list.laws.setImpulses(slot, inelastic.ofLaws[slot]);
+    swapImpulses(list, inelastic.impulses, inelastic.ofLaws);
+    if (!sleep.any()) shockImpulses.keep(std::move(inelastic));
 }
 
 void GrainDynamics::Implementation::limitWork

@@ -147,9 +147,8 @@ double GrainDynamics::time() const { return self_->movingWalls.time(); }
 void GrainDynamics::setTime(double time) { self_->movingWalls.setTime(time); }
 const StepTimes& GrainDynamics::times() const { return self_->times; }
 
-std::vector<LoadedContact> GrainDynamics::contacts() const
+std::vector<LoadedContact> GrainDynamics::Implementation::contactsOf(const ContactList& list)
 {
-    const ContactList& list = self_->wholeList();
     std::vector<LoadedContact> loaded;
     for (const SlotImpulse& entry : loadedSlots(list))
     {
@@ -166,6 +165,15 @@ std::vector<LoadedContact> GrainDynamics::contacts() const
     return loaded;
 }
 
+std::vector<LoadedContact> GrainDynamics::contacts() const
+{
+    ContactList& list = self_->wholeList();
+    self_->shockImpulses.swapWith(list);
+    std::vector<LoadedContact> loaded = Implementation::contactsOf(list);
+    self_->shockImpulses.swapWith(list);
+    return loaded;
+}
+
 std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
 {
     Implementation& self = *self_;
@@ -175,6 +183,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     self.packing.note(0);
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
+    self.shockImpulses.clear();
     self.stepsPerList = fewestStepsPerList;
     self.isListStale = true;
     self.isStepBegun = false;
@@ -197,6 +206,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.stepsAtCap = 0;
     self.packing.note(0);
     self.list = ContactList();
+    self.shockImpulses.clear();
     self.stepsPerList = fewestStepsPerList;
     self.isListStale = true;
     self.isStepBegun = false;
