@@ -20,8 +20,8 @@ constexpr double nearAlong = 0.29;
 constexpr double fractionSlope = 0.09;
 
 /// Others that fill less of the cells do not count; those that fill more leave nothing of the own wake.
-constexpr double fewOthers = 0.01;
-constexpr double manyOthers = 0.05;
+constexpr double fewOthers = 0.001;
+constexpr double manyOthers = 0.01;
 
 } // namespace
 

@@ -41,8 +41,8 @@ double wakeInertia(double cellReynolds);
 /// Equation: 1/(4 nu/h^2 + slip/h): diffusion over h and passage through h
 double wakeTime(double viscosity, double density, double length, double slip);
 
-/// 1 for a grain without others in its cells and those next to them, falling to 0 where others fill a twentieth. Between others the
-/// flow is that of all, and drag laws know it by alpha.
+/// 1 for a grain without others in its cells and those next to them, falling to 0 where others fill a hundredth. Between others the
+/// flow is that of all: in a suspension that is the same everywhere nothing of the own wake is left.
 double loneliness(double othersFraction);
 
 } // namespace closures

@@ -69,8 +69,8 @@ TEST(OwnWake, isLessWithInertiaAndSoonerWithFlow)
 TEST(OwnWake, isThatOfLoneGrains)
 {
     EXPECT_EQ(closures::loneliness(-0.001), 1);
-    EXPECT_EQ(closures::loneliness(0.01), 1);
-    EXPECT_NEAR(closures::loneliness(0.03), 0.5, 1e-14);
-    EXPECT_EQ(closures::loneliness(0.05), 0);
+    EXPECT_EQ(closures::loneliness(0.001), 1);
+    EXPECT_NEAR(closures::loneliness(0.0055), 0.5, 1e-14);
+    EXPECT_EQ(closures::loneliness(0.01), 0);
     EXPECT_EQ(closures::loneliness(0.6), 0);
 }
