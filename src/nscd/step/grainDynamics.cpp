@@ -158,8 +158,11 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
     problem.isDriven = areWallsDriving(external.speedScale);
-    const SolveReport report = solveWhereAwake(problem, settings, solve);
+    if (mayHoldFriction()) keepStart();
+    SolveReport report = solveWhereAwake(problem, settings, solve);
+    if (mayHoldFriction() && (report.atCap || isJammed(report, problem))) report = together(report, holdFriction(external));
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
+    report.createdEnergy = report.converged ? 0.0 : createdEnergy(external, report);
     return report;
 }
 

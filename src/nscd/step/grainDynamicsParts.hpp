@@ -54,6 +54,12 @@ struct GrainDynamics::Implementation
     double overlapAsleep = 0.0;   // largest of contacts when grains fell asleep last [m]
     int stepsAtCap = 0;           // in a row
     PackedContacts packing;
+    /// Blocks and impulses that a solve starts from.
+    struct Start
+    {
+        std::vector<std::uint32_t> awake;
+        AndersonAcceleration::Impulses impulses;
+    } start;
     std::vector<Vec3> freeVelocity;   // of the list's own bodies in the present solve [m/s]
     StepReport lastReport;
     bool isStepBegun = false;
@@ -92,6 +98,12 @@ struct GrainDynamics::Implementation
     bool areWallsDriving(double speedScale) const;
     void prepareSolve(const ExternalForces& external);
     SolveReport solveOnce(const ExternalForces& external);
+    bool mayHoldFriction() const { return isFrictional && list.general.empty() && settings.strategy.held.isOn; }
+    void keepStart();
+    void returnToStart();
+    bool isJammed(const SolveReport& report, const ContactProblem& problem) const;
+    SolveReport holdFriction(const ExternalForces& external);
+    double createdEnergy(const ExternalForces& external, const SolveReport& report);
     SolveReport solveAndWake(const ExternalForces& external);
     void holdWholeList();
     void cutAwakePart();

@@ -5,6 +5,7 @@
 // Tested by tests/unit/nscd/step/shockWorkTest.cpp
 #include "nscd/step/grainDynamicsParts.hpp"
 
+#include "nscd/solvers/heldFriction.hpp"
 #include "nscd/solvers/help/andersonAcceleration.hpp"
 
 #include <cmath>
@@ -32,7 +33,13 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
-    const SolveReport shock = solveWhereAwake(problem, shockSettings, solve);
+    SolveReport shock = solveWhereAwake(problem, shockSettings, solve);
+    if (shock.atCap && mayHoldFriction())
+    {
+        list.bodies = inelastic.bodies;
+        restoreImpulses(inelastic);
+        shock = together(shock, solveHeld(problem, shockSettings));
+    }
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     report = worstOf(shock, report);
     if (sleep.any() && !sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty())

@@ -43,8 +43,10 @@ bool DirectHelp::isDue(int sweeps)
     if (!hasPrice_ && sweeps >= std::min(settings_.strategy.direct.firstLook, settings_.maxSweeps))
     {
         hasPrice_ = true;
-        const double price = DirectSolve(problem_).price(priceLimit());
-        if (price <= priceLimit()) due_ = static_cast<int>(std::min<double>(settings_.maxSweeps, price));
+        const DirectSolve direct(problem_);
+        const double limit = direct.contacts() <= settings_.strategy.direct.fewContacts ? std::numeric_limits<double>::max() : priceLimit();
+        const double price = direct.price(limit);
+        if (price <= limit) due_ = static_cast<int>(std::min<double>(settings_.maxSweeps, price));
     }
     return sweeps >= due_;
 }
