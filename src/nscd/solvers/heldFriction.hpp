@@ -71,7 +71,7 @@ private:
 /// always has a solution, sweeps come to it, and it takes energy: at r = 0 the sum is 0. First tau = 0; then, round after round, tau follows
 /// min(mu r_n, min(mu, 1) P), P some times what presses on the same bodies without friction; where that does not come to rest tau may only fall, then it stays. Where
 /// sweeps do not solve even that, as between masses far apart, all tau fade, in the end to nothing: without friction sweeps are quick.
-/// Equation: this is the fixed-point iteration of Haslinger, Hlavacek & Necas (1996) for Coulomb's law; P makes it one of a compact set
+/// Equation: this is the fixed-point iteration of Necas, Jarusek & Haslinger (1980) for Coulomb's law; P makes it one of a compact set
 /// Ensures:  impulses start from those of the problem, with friction left out; report.converged where tau has come to rest at Coulomb's law (the common
 ///           residual is met), else report.isHeld, and frictionOff by how much; atCap where not even the convex problem was solved
 SolveReport solveHeld(ContactProblem& problem, const ContactSettings& settings);
