@@ -44,7 +44,9 @@ bool DirectHelp::isDue(int sweeps)
     {
         hasPrice_ = true;
         const DirectSolve direct(problem_);
-        const double limit = direct.contacts() <= settings_.strategy.direct.fewContacts ? std::numeric_limits<double>::max() : priceLimit();
+        // Who allows few sweeps wants them cheap.
+        const bool isSmall = direct.contacts() <= settings_.strategy.direct.fewContacts && settings_.maxSweeps >= settings_.strategy.direct.firstLook;
+        const double limit = isSmall ? std::numeric_limits<double>::max() : priceLimit();
         const double price = direct.price(limit);
         if (price <= limit) due_ = static_cast<int>(std::min<double>(settings_.maxSweeps, price));
     }
