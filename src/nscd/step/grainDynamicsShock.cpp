@@ -36,8 +36,9 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     SolveReport shock = solveWhereAwake(problem, shockSettings, solve);
     if (shock.atCap && mayHoldFriction())
     {
-        list.bodies = inelastic.bodies;
-        restoreImpulses(inelastic);
+        Shock start = inelastic;
+        list.bodies = std::move(start.bodies);
+        swapImpulses(list, start.impulses, start.ofLaws);
         shock = together(shock, solveHeld(problem, shockSettings));
     }
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
