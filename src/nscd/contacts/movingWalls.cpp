@@ -149,7 +149,8 @@ std::vector<WallReach> MovingWalls::reach
         if (!patch.motion) continue;
         reach[k].poseAtBuild = patch.pose;
         reach[k].box = search.hasPlane(static_cast<int>(k)) ? moved(grainBox, patch.pose.inverse()) : search.extent(static_cast<int>(k));
-        reach[k].distance = margin*diameter + stepsPerList*largestDisplacement(patch.pose, next_[k], reach[k].box);
+        reach[k].inStep = largestDisplacement(patch.pose, next_[k], reach[k].box);
+        reach[k].distance = margin*diameter + stepsPerList*reach[k].inStep;
     }
     return reach;
 }

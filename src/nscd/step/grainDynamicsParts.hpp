@@ -16,6 +16,7 @@
 #include "nscd/step/grainDynamics.hpp"
 #include "nscd/step/shockImpulses.hpp"
 #include "nscd/step/shockWork.hpp"
+#include "nscd/step/sweptWalls.hpp"
 
 namespace nscd
 {
@@ -41,6 +42,8 @@ struct GrainDynamics::Implementation
 
     MovingWalls movingWalls{walls};
     std::unique_ptr<WallSearch> wallSearch;
+    bool areWallsOutlined = false;   // any
+    bool areWaysKnown = false;    // of swept bodies in this step: a solve starts from the walls found so far
 
     ContactList list;             // while grains sleep: the part of it that is awake
     bool isListStale = true;
@@ -82,12 +85,20 @@ struct GrainDynamics::Implementation
     ContactList& wholeList() { return sleep.any() ? awakePart.whole() : list; }
     static std::vector<LoadedContact> contactsOf(const ContactList& list);
     bool isEverybodyAsleep() const { return sleep.any() && awakePart.isEmpty(); }
-    bool maySleep() const { return settings.sleep && !exchange->isParallel() && list.general.empty(); }
+    bool maySleep() const { return settings.sleep && !exchange->isParallel() && list.general.empty() && !list.isAnySwept; }
     double deadBand() const { return settings.deadBand*diameter; }
 
     void measureGrains();
     void makeWallSearch();
-    bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list)); }
+    /// `minding`: the haste of grains, too.
+    bool coversStep(bool minding = true) const
+    {
+        const bool isHasty = minding && areWallsOutlined && isAnyHasty(list, deltaT);
+        return coversMotion(list, deltaT, movingWalls.areCovered(list) && !isHasty);
+    }
+    WallsOfStep wallsOfStep() const { return {scene(), *wallSearch, movingWalls}; }
+    SolveReport solveAndFollow(const ExternalForces& external);
+    double moveBodies(StepReport& report);
     void clearForces();
     /// `isStraight`: whether grains can be expected to move with these velocities.
     void rebuildList(const std::vector<Vec3>& velocity, bool isStraight);
