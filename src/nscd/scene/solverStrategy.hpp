@@ -112,7 +112,9 @@ struct SolverStrategy
     struct Held
     {
         bool isOn = true;
+        double overlap = 1e-2;              ///< that the largest defect of a step at the cap makes within it, from which friction is held [mean diameters]
         double jam = 1e4;                   ///< impulse of a contact over the sum of what contacts give the grains [-], from which friction is held whatever the residual
+        double jamAtCap = 1.0;              ///< the same of a step at the cap; a bed from cold stays below 1
         int following = 20, falling = 10;   ///< rounds in which bounds of friction follow what presses, then may only fall
         int fading = 4;                     ///< rounds in which all bounds become smaller, in the last one zero, where those that stay take too many sweeps
         int sweeps = 30;                    ///< of a round that follows or falls, at most

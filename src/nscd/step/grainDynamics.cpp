@@ -165,9 +165,13 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     problem.isDriven = areWallsDriving(external.speedScale);
     if (mayHoldFriction()) keepStart();
     SolveReport report = solveWhereAwake(problem, settings, solve);
-    if (mayHoldFriction() && (report.atCap || isJammed(report, problem))) report = together(report, holdFriction(external));
-    if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     report.createdEnergy = report.converged ? 0.0 : createdEnergy(external, report);
+    if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem)))
+    {
+        report = together(report, holdFriction(external));
+        report.createdEnergy = report.converged ? 0.0 : createdEnergy(external, report);
+    }
+    if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     return report;
 }
 

@@ -31,6 +31,13 @@ void GrainDynamics::Implementation::returnToStart()
     for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) list.laws.setImpulses(slot, noLawImpulses());
 }
 
+/// Whether what a solve left at the cap makes energy, or grains overlap. Else it is a solution that is not yet sharp, as of a bed from cold,
+/// and nearer to Coulomb's law than friction that is held.
+bool GrainDynamics::Implementation::isHarmful(const SolveReport& report) const
+{
+    return report.atCap && (report.createdEnergy > 0.0 || report.residualMax*deltaT > settings.strategy.held.overlap*diameter);
+}
+
 /// Whether a contact carries far more than all contacts together give the grains: where Coulomb's law has no solution impulses grow until what they
 /// leave drowns in round-off, which meets any stop rule. Attraction may press as hard.
 bool GrainDynamics::Implementation::isJammed(const SolveReport& report, const ContactProblem& problem) const
@@ -46,7 +53,8 @@ bool GrainDynamics::Implementation::isJammed(const SolveReport& report, const Co
         }
     }
     for (int body = 0; body < list.owned(); ++body) mass += list.bodies[body].invMass > 0.0 ? 1.0/list.bodies[body].invMass : 0.0;
-    return std::sqrt(list.halo.max(largest2)) > settings.strategy.held.jam*(netImpulse(problem) + list.halo.sum(mass)*report.speedScale);
+    const SolverStrategy::Held& strategy = settings.strategy.held;
+    return std::sqrt(list.halo.max(largest2)) > (report.atCap ? strategy.jamAtCap : strategy.jam)*(netImpulse(problem) + list.halo.sum(mass)*report.speedScale);
 }
 
 SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& external)

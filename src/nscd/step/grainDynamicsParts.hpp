@@ -112,6 +112,7 @@ struct GrainDynamics::Implementation
     bool mayHoldFriction() const { return isFrictional && list.general.empty() && settings.strategy.held.isOn; }
     void keepStart();
     void returnToStart();
+    bool isHarmful(const SolveReport& report) const;
     bool isJammed(const SolveReport& report, const ContactProblem& problem) const;
     SolveReport holdFriction(const ExternalForces& external);
     double createdEnergy(const ExternalForces& external, const SolveReport& report);
