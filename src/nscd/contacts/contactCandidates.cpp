@@ -40,50 +40,25 @@ std::vector<Vec3> placesOf(const Vec3& x, double reach, const PeriodicBox& box)
     return places;
 }
 
-/// What a slot kept free for walls met on the way holds before: a region whose patch has a velocity, if there is any, so that the slot has a
-/// body for that.
-int placeholder(const Walls& walls)
-{
-    int found = -1;
-    for (std::size_t k = 0; k < walls.regions.size(); ++k)
-    {
-        if (walls.regions[k].edges.empty()) continue;
-        if (walls.patches[walls.regions[k].patch].hasVelocity()) return static_cast<int>(k);
-        if (found < 0) found = static_cast<int>(k);
-    }
-    return found;
-}
-
 /// Walls near each body, as candidates that follow the body's pairs.
-std::vector<Candidate> findWalls(const ContactList& list, const std::vector<double>& reach, const WallSearch& search, const Scene& scene)
+std::vector<Candidate> findWalls(const ContactList& list, const std::vector<double>& reach, const WallSearch& search, const PeriodicBox& box)
 {
-    const PeriodicBox& box = scene.box;
     std::vector<Candidate> found;
     std::vector<double> patchReach;
     for (const WallReach& wall : list.wallReach) patchReach.push_back(wall.distance);
     std::vector<int> regions;
-    const int free = list.swept.empty() ? -1 : placeholder(scene.walls);
-    auto swept = list.swept.begin();
     for (int body = 0; body < list.owned(); ++body)
     {
         if (list.inverseMass[body] == 0.0) continue;
         regions.clear();
         const std::vector<Vec3> places = placesOf(list.position[body], reach[body], box);
-        const bool isSwept = swept != list.swept.end() && swept->body == body;
-        for (const Vec3& place : places)
-        {
-            if (isSwept) search.findPlanes(place, list.radius[body] + reach[body], regions, patchReach);
-            else search.find(place, list.radius[body] + reach[body], regions, patchReach);
-        }
+        for (const Vec3& place : places) search.find(place, list.radius[body] + reach[body], regions, patchReach);
         if (places.size() > 1)
         {
             std::sort(regions.begin(), regions.end());
             regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
         }
         for (int region : regions) found.push_back({body, -1, region, {0, 0, 0}});
-        if (!isSwept) continue;
-        for (std::size_t k = 0; k < swept->slots.size(); ++k) found.push_back({body, -1, free, {0, 0, 0}});
-        ++swept;
     }
     return found;
 }
@@ -160,7 +135,7 @@ Candidates findCandidates
     const bool arePathsKnown = !list.path.empty();
     const SearchSpheres spheres = arePathsKnown ? spheresOnPaths(list, scene.box, range) : spheresAtBodies(list, reach);
     const std::vector<BodyPair>& pairs = list.search.find(spheres.center, spheres.size, scene.box, largest);
-    const std::vector<Candidate> walls = findWalls(list, reach, wallSearch, scene);
+    const std::vector<Candidate> walls = findWalls(list, reach, wallSearch, scene.box);
 
     Candidates found;
     found.inner.reserve(pairs.size() + walls.size());

@@ -141,10 +141,6 @@ void updateGeometry(ContactList& list, const Scene& scene)
     const std::vector<BodySphere> spheres = gatherSpheres(list);
     for (std::size_t k = 0; k < list.blocks.size(); ++k) updatePairs(list, scene, spheres, k);
     for (std::size_t slot : list.slotsOfWalls) updateWall(list, scene, slot, list.blocks[slot/blockLanes].a[slot % blockLanes]);
-    for (const SweptBody& swept : list.swept)
-    {
-        for (std::size_t k = swept.used; k < swept.slots.size(); ++k) list.gap[swept.slots[k]] = std::numeric_limits<double>::max();
-    }
     suppressGhosts(list, scene);
 }
 

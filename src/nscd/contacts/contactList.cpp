@@ -87,16 +87,6 @@ void setPaths(ContactList& list, const ExpectedMotion& expected)
     }
 }
 
-void setSwept(ContactList& list, const ExpectedMotion& expected)
-{
-    if (expected.haste.empty()) return;
-    for (int body = 0; body < list.owned(); ++body)
-    {
-        list.haste.push_back(expected.haste[list.grainOf[body]]);
-        if (list.haste.back() == Haste::swept) list.swept.push_back({body, {}});
-    }
-}
-
 std::vector<double> addGhosts(ContactList& list, const std::vector<GhostGrain>& ghosts)
 {
     reserveBodies(list, list.owned() + ghosts.size());
@@ -204,21 +194,6 @@ void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Can
     }
 }
 
-void findSweptSlots(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, const Batches& batches)
-{
-    std::size_t k = 0;
-    for (SweptBody& swept : list.swept)
-    {
-        while (candidates[k].a != swept.body) ++k;
-        std::size_t place = 0;
-        for (; k < candidates.size() && candidates[k].a == swept.body; ++k)
-        {
-            const bool isOutlined = candidates[k].wall >= 0 && !scene.walls.regions[candidates[k].wall].edges.empty();
-            if (isOutlined) swept.slots[place++] = batches.slotOf[k];
-        }
-    }
-}
-
 } // namespace
 
 Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candidates, double diameter)
@@ -232,7 +207,6 @@ Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candid
     appendBlocks(list, scene, material, candidates.inner, inner);
     groupWallSlots(list, scene, candidates.inner, inner);
     findMovingSlots(list, candidates.inner, inner);
-    findSweptSlots(list, scene, candidates.inner, inner);
     list.interfaceBlock = list.general.empty() ? list.blocks.size() : list.general.firstBlock;
     appendBlocks(list, scene, material, candidates.interface, interface);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
@@ -258,7 +232,6 @@ ContactList buildContactList
     const double range = rangeOfLaws(scene.materials);
     if (range > 0.0) std::for_each(list.reach.begin(), list.reach.end(), [range](double& r) { r -= range; });
     setPaths(list, expected);
-    setSwept(list, expected);
     Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene, wallSearch);
     if (exchange.isParallel())
     {

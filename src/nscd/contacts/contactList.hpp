@@ -24,25 +24,8 @@ namespace nscd
 struct WallReach
 {
     double distance = 0.0;                  ///< [m]; 0 where the patch does not move
-    double inStep = 0.0;                    ///< what it moves in the step that the list is made in [m]
     Eigen::AlignedBox3d box;                ///< around the part of the patch that grains can meet, at the identity pose
     WallPose poseAtBuild = WallPose::Identity();
-};
-
-/// What a list lets a grain do beside outlined walls.
-enum class Haste : unsigned char
-{
-    none,     ///< it moves by at most half its radius in a step
-    swept,    ///< by more: see SweptBody
-    far       ///< by more, but such walls are out of its reach
-};
-
-/// A body that goes so far in a step that its outlined walls are looked for along its way, step by step, and put into slots kept free for them.
-struct SweptBody
-{
-    int body;
-    std::array<std::uint32_t, 4> slots;
-    std::size_t used = 0;                   ///< of these, at present
 };
 
 /// Bodies are numbered as Halo says; own ones are the grains sorted along a space-filling curve; behind them one for each contact
@@ -88,9 +71,6 @@ struct ContactList
     std::vector<std::size_t> aimedPairs;    ///< of these, those aimed since the geometry was new
     std::vector<int> wallSlots;             ///< slots of outlined walls, grouped by body, for the suppression of ghost contacts
     std::vector<std::size_t> movingSlots;   ///< slot of each body at a wall that moves
-    std::vector<Haste> haste;               ///< of each own body; empty: none
-    std::vector<SweptBody> swept;           ///< none in slow scenes
-    bool isAnySwept = false;                ///< on any rank
     std::vector<WallReach> wallReach;       ///< per patch; empty if none moves
     std::vector<int> wallSlotStart;         ///< group k is wallSlots[wallSlotStart[k] .. wallSlotStart[k+1])
     PairSearch search;                      ///< its memory serves list after list
@@ -142,7 +122,6 @@ struct ExpectedMotion
 {
     std::vector<Vec3> velocity;   ///< of each grain, or empty [m/s]
     double time = 0.0;            ///< [s]
-    std::vector<Haste> haste;     ///< of each grain, or empty: none
 };
 
 /// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].

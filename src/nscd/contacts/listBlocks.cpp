@@ -20,13 +20,6 @@ const ContactPair& coefficients(const std::vector<int>& material, const Scene& s
     return scene.materials.pair(material[candidate.a], materialB);
 }
 
-void setCoefficients(ContactList& list, std::size_t slot, const ContactPair& pair, const Candidate& candidate)
-{
-    list.blocks[slot/blockLanes].friction[slot % blockLanes] = pair.friction;
-    if (!list.restitution.empty()) list.restitution[slot] = pair.restitution;
-    if (!list.laws.empty()) list.laws.set(slot, pair, list.radius[candidate.a], candidate.wall >= 0 ? 0.0 : list.radius[candidate.b]);
-}
-
 /// Room for a number of elements in an empty array, and some more if it grows: numbers of candidates go up and down. What is there goes first.
 template<class Element>
 void makeRoom(std::vector<Element>& array, std::size_t number)
@@ -80,20 +73,13 @@ void appendBlocks
         ContactBlock& block = list.blocks[slot/blockLanes];
         block.a[slot % blockLanes] = candidate.a;
         block.b[slot % blockLanes] = candidate.b;
-        setCoefficients(list, slot, coefficients(material, scene, candidate), candidate);
+        const ContactPair& pair = coefficients(material, scene, candidate);
+        block.friction[slot % blockLanes] = pair.friction;
+        if (!list.restitution.empty()) list.restitution[slot] = pair.restitution;
+        if (!list.laws.empty()) list.laws.set(slot, pair, list.radius[candidate.a], candidate.wall >= 0 ? 0.0 : list.radius[candidate.b]);
         list.wall[slot] = candidate.wall;
         list.image[slot] = candidate.image;
     }
-}
-
-void setRegion(ContactList& list, const Scene& scene, std::size_t slot, int region)
-{
-    const int body = list.blocks[slot/blockLanes].a[slot % blockLanes];
-    const int material = scene.walls.patches[scene.walls.regions[region].patch].material;
-    setCoefficients(list, slot, scene.materials.pair(scene.grains.material[list.grainOf[body]], material), {body, -1, region, {0, 0, 0}});
-    setImpulse(list, slot, Vec3::Zero());
-    list.laws.setImpulses(slot, noLawImpulses());
-    list.wall[slot] = region;
 }
 
 } // namespace nscd

@@ -24,7 +24,4 @@ void appendBlocks
     ContactList& list, const Scene& scene, const std::vector<int>& material, const std::vector<Candidate>& candidates, Batches& batches
 );
 
-/// Makes a slot between a body and a wall one with another region of walls, without an impulse.
-void setRegion(ContactList& list, const Scene& scene, std::size_t slot, int region);
-
 } // namespace nscd

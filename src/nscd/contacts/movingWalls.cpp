@@ -149,8 +149,7 @@ std::vector<WallReach> MovingWalls::reach
         if (!patch.motion) continue;
         reach[k].poseAtBuild = patch.pose;
         reach[k].box = search.hasPlane(static_cast<int>(k)) ? moved(grainBox, patch.pose.inverse()) : search.extent(static_cast<int>(k));
-        reach[k].inStep = largestDisplacement(patch.pose, next_[k], reach[k].box);
-        reach[k].distance = margin*diameter + stepsPerList*reach[k].inStep;
+        reach[k].distance = margin*diameter + stepsPerList*largestDisplacement(patch.pose, next_[k], reach[k].box);
     }
     return reach;
 }

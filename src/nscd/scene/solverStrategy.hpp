@@ -108,27 +108,12 @@ struct SolverStrategy
         double mostWork = 5.0;         ///< in sweeps over all contacts
     } loneDefects;
 
-    /// A step that ends at the cap is solved again with friction that is held (heldFriction.hpp).
-    struct Held
-    {
-        bool isOn = true;
-        double overlap = 1e-2;              ///< that the largest defect of a step at the cap makes within it, from which friction is held [mean diameters]
-        double jam = 1e4;                   ///< impulse of a contact over the sum of what contacts give the grains [-], from which friction is held whatever the residual
-        double jamAtCap = 1.0;              ///< the same of a step at the cap; a bed from cold stays below 1
-        int following = 20, falling = 10;   ///< rounds in which bounds of friction follow what presses, then may only fall
-        int fading = 4;                     ///< rounds in which all bounds become smaller, in the last one zero, where those that stay take too many sweeps
-        int sweeps = 30;                    ///< of a round that follows or falls, at most
-        double share = 0.5;                 ///< of the way to mu r_n in the later half of the rounds that follow; of a bound in a round that fades [-]
-        double pressure = 4.0;              ///< largest pressure that friction follows, over what presses on a body without friction [-]
-    } held;
-
     /// When Newton's method takes over (directHelp.hpp).
     struct Direct
     {
         bool isOn = true;
         double harmlessMassRatio = 50.0;   ///< across a loaded contact. Base force of a stack of 19 under a body 100 times as heavy, by sweeps alone: off by 0.1; 1e4 times: by 0.7
         int firstLook = 500;               ///< sweeps before which its price is not worth asking for
-        std::size_t fewContacts = 25;      ///< up to which any price is paid: sweeps over a block or two cost nothing, so that one in sweeps means little
         double mostPerCap = 10.0;          ///< sweeps up to the cap, what it may cost at rest; in a flow, where impulses change from step to step, one
         double restMotion = 0.1;           ///< motion below which grains count as at rest [-]
     } direct;

@@ -119,8 +119,6 @@ bool Walls::anyMotion() const
     return std::any_of(patches.begin(), patches.end(), [](const WallPatch& patch) { return patch.hasVelocity(); });
 }
 
-bool holdsFoot(const WallRegion& region, const Vec3& point) { return region.edges.empty() || isInsideOutline(region, point); }
-
 WallProximity nearestPoint(const WallRegion& region, const Vec3& center)
 {
     const double height = region.normal.dot(center - region.point);

@@ -17,13 +17,6 @@ namespace
 /// Up to this many outlined regions a plain loop is faster than a grid.
 constexpr std::size_t fewRegions = 16;
 
-/// Single precision, and no less than the box.
-Eigen::AlignedBox3f roundedOutwards(const Eigen::AlignedBox3d& box)
-{
-    const Vec3 margin = 1e-6*(box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()));
-    return {Eigen::Vector3f((box.min() - margin).cast<float>()), Eigen::Vector3f((box.max() + margin).cast<float>())};
-}
-
 double height(const WallRegion& region, const Vec3& x) { return region.normal.dot(x - region.point); }
 
 } // namespace
@@ -40,7 +33,6 @@ WallSearch::WallSearch(const Walls& walls, double cellSize)
     for (std::size_t k = 0; k < walls.regions.size(); ++k)
     {
         const WallRegion& region = walls.regions[k];
-        bounds_.push_back(region.edges.empty() ? Eigen::AlignedBox3f() : roundedOutwards(bounds(region)));
         (walls.patches[region.patch].motion ? moving[region.patch] : atRest).push_back(static_cast<int>(k));
         if (region.edges.empty()) hasPlane_[region.patch] = 1;
         else extents_[region.patch].extend(bounds(region));
@@ -56,10 +48,6 @@ void WallSearch::addGroup(int patch, const std::vector<int>& regions)
     Group& group = groups_.back();
     group.patch = patch;
     std::vector<int> gridded;
-    for (int region : regions)
-    {
-        if (!walls_.regions[region].edges.empty()) group.outlined.extend(bounds(walls_.regions[region]));
-    }
     for (int region : regions) (walls_.regions[region].edges.empty() ? group.direct : gridded).push_back(region);
     if (gridded.size() > fewRegions) fillGrid(group, gridded);
     else group.direct.insert(group.direct.end(), gridded.begin(), gridded.end());
@@ -157,40 +145,6 @@ void WallSearch::find(const Vec3& center, double distance, std::vector<int>& reg
         findIn(group, pose.linear().transpose()*(center - pose.translation()), distance + added, regions);
     }
     std::sort(regions.begin() + before, regions.end());
-}
-
-
-void WallSearch::findPlanes(const Vec3& center, double distance, std::vector<int>& regions, const std::vector<double>& patchReach) const
-{
-    for (const Group& group : groups_)
-    {
-        const WallPose pose = group.patch < 0 ? WallPose::Identity() : walls_.patches[group.patch].pose;
-        const Vec3 x = group.patch < 0 ? center : Vec3(pose.linear().transpose()*(center - pose.translation()));
-        const double added = group.patch < 0 || patchReach.empty() ? 0.0 : patchReach[group.patch];
-        for (int region : group.direct)
-        {
-            const WallRegion& wall = walls_.regions[region];
-            if (wall.edges.empty() && std::abs(height(wall, x)) <= distance + added) regions.push_back(region);
-        }
-    }
-    std::sort(regions.begin(), regions.end());
-}
-
-void WallSearch::findInBox(int number, const Eigen::AlignedBox3d& box, std::vector<int>& regions) const
-{
-    const Group& group = groups_[number];
-    if (!group.outlined.intersects(box)) return;
-    const Eigen::AlignedBox3f near = roundedOutwards(box);
-    const auto addIfNear = [&](int region)
-    {
-        if (bounds_[region].intersects(near)) regions.push_back(region);
-    };
-    for (int region : group.direct) addIfNear(region);
-    if (group.start.empty()) return;
-    group.forEachCell(box, [&](std::size_t cell, const Vec3&)
-    {
-        for (std::size_t m = group.start[cell]; m < group.start[cell + 1]; ++m) addIfNear(group.members[m]);
-    });
 }
 
 } // namespace nscd

@@ -23,17 +23,6 @@ public:
     /// distance for regions of each patch that moves [m]; empty: nothing is.
     void find(const Vec3& center, double distance, std::vector<int>& regions, const std::vector<double>& patchReach = {}) const;
 
-    /// Appends the infinite planes nearer than that.
-    void findPlanes(const Vec3& center, double distance, std::vector<int>& regions, const std::vector<double>& patchReach = {}) const;
-
-    /// Regions move in groups: all patches at rest, and each that moves. The patch that moves; -1: those at rest.
-    int groups() const { return static_cast<int>(groups_.size()); }
-    int patchOf(int group) const { return groups_[group].patch; }
-    /// Around the outlined regions of a group, in its frame; empty where it has none.
-    const Eigen::AlignedBox3d& outlined(int group) const { return groups_[group].outlined; }
-    /// Appends the outlined regions of a group whose bounds touch a box, both in the group's frame, some more than once.
-    void findInBox(int group, const Eigen::AlignedBox3d& box, std::vector<int>& regions) const;
-
     double cellSize() const { return cellSize_; }
 
     /// Bounds of a patch's finite regions at its reference pose, and whether it has planes.
@@ -46,7 +35,6 @@ private:
     {
         int patch = -1;             ///< that moves; -1: all at rest
         std::vector<int> direct;
-        Eigen::AlignedBox3d outlined;
         Eigen::AlignedBox3d extent;
         double width = 1.0;
         int count[3] = {0, 0, 0};
@@ -65,7 +53,6 @@ private:
     double cellSize_;
     std::vector<Group> groups_;
     std::vector<Eigen::AlignedBox3d> extents_;
-    std::vector<Eigen::AlignedBox3f> bounds_;   ///< of each region, rounded outwards
     std::vector<char> hasPlane_;
 };
 

@@ -65,7 +65,6 @@ void GrainDynamics::Implementation::makeWallSearch()
     double largest = 0.0;
     for (double radius : grains.radius) largest = std::max(largest, radius);
     const bool isFitting = wallSearch && wallSearch->cellSize() >= 2.0*largest && wallSearch->cellSize() <= 8.0*largest;
-    areWallsOutlined = std::any_of(walls.regions.begin(), walls.regions.end(), [](const WallRegion& region) { return !region.edges.empty(); });
     if (!isFitting) wallSearch = std::make_unique<WallSearch>(walls, largest > 0.0 ? 4.0*largest : diameter);
 }
 
@@ -95,9 +94,7 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     for (std::size_t i = 0; i < grains.size(); ++i) reach[i] = always + plan.expected.time*plan.speed[i];
     makeWallSearch();
     std::vector<WallReach> wallReach = movingWalls.reach(*wallSearch, grains, reach, diameter);
-    if (areWallsOutlined) plan.expected.haste = findHaste(wallsOfStep(), plan.speed, reach, wallReach, deltaT);
     list = buildContactList(scene(), *wallSearch, reach, std::move(wallReach), diameter, *exchange, std::move(list), plan.expected);
-    list.isAnySwept = areWallsOutlined && list.halo.any(!list.swept.empty());
     updateGeometry(list, scene());
     findFastPairs(list);
     assignImpulses(list, std::move(impulses), *exchange);
@@ -105,7 +102,6 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     isListStale = false;
     isListNew = true;
     fitStepsPerList();
-    if (list.isAnySwept) sleep = GrainSleep();   // which would need the ways of those that wake
     if (!sleep.any()) return;
     holdWholeList();
     cutAwakePart();
@@ -133,7 +129,6 @@ void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
     setFreeVelocities(list, grains, external, deltaT, sleep);
     if (!list.general.empty()) setFreeGeneral(list, grains, external, deltaT);
     keepVelocities(list, freeVelocity);
-    if (list.isAnySwept && !areWaysKnown) aimSwept(list, wallsOfStep(), deltaT);
     movingWalls.setVelocities(list, box, grains.shape.emptyAxis);
     if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
     chooseKernelsOfStep();
@@ -163,24 +158,16 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
     problem.isDriven = areWallsDriving(external.speedScale);
-    if (mayHoldFriction()) keepStart();
-    SolveReport report = solveWhereAwake(problem, settings, solve);
-    report.createdEnergy = report.converged ? 0.0 : createdEnergy(external, report);
-    if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem)))
-    {
-        report = together(report, holdFriction(external));
-        report.createdEnergy = report.converged ? 0.0 : createdEnergy(external, report);
-    }
+    const SolveReport report = solveWhereAwake(problem, settings, solve);
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     return report;
 }
 
 SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces& external)
 {
-    constexpr int mostForHaste = 3;
-    SolveReport report = solveAndFollow(external);
+    SolveReport report = solveAndWake(external);
     // Grains that turn out faster than the list allows for could pass one another unseen: list and solve again.
-    for (int attempt = 0; !coversStep(attempt < mostForHaste); ++attempt)
+    for (int attempt = 0; !coversStep(); ++attempt)
     {
         if (attempt == maxListRebuilds) throw std::runtime_error("contact list cannot follow the grains; use a smaller time step");
         std::vector<Vec3> velocity = grains.velocity;   // of those that sleep, which are not in the list
@@ -189,7 +176,7 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
             velocity[list.grainOf[body]] = (attempt + 1.0)*Vec3(list.bodies[body].v);
         }
         rebuildList(velocity, attempt == 0);
-        report = together(report, solveAndFollow(external));
+        report = together(report, solveAndWake(external));
     }
     return report;
 }
@@ -306,7 +293,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
 
     const Stopwatch watch(self.times.moveGrains);
     giveToGrains(self.forcesOnBodies(), self.list.grainOf, self.forces);
-    report.maxDisplacement = self.moveBodies(report)/self.diameter;
+    report.maxDisplacement = moveGrains(self.list, self.grains, self.box, self.deltaT, self.isFrictional)/self.diameter;
     if (self.materials.anyRestitution()) self.rebound(external, report.solve);
     self.movingWalls.endStep();
     copyVelocities(self.list, self.grains);

@@ -16,7 +16,6 @@
 #include "nscd/step/grainDynamics.hpp"
 #include "nscd/step/shockImpulses.hpp"
 #include "nscd/step/shockWork.hpp"
-#include "nscd/step/sweptWalls.hpp"
 
 namespace nscd
 {
@@ -42,8 +41,6 @@ struct GrainDynamics::Implementation
 
     MovingWalls movingWalls{walls};
     std::unique_ptr<WallSearch> wallSearch;
-    bool areWallsOutlined = false;   // any
-    bool areWaysKnown = false;    // of swept bodies in this step: a solve starts from the walls found so far
 
     ContactList list;             // while grains sleep: the part of it that is awake
     bool isListStale = true;
@@ -57,12 +54,6 @@ struct GrainDynamics::Implementation
     double overlapAsleep = 0.0;   // largest of contacts when grains fell asleep last [m]
     int stepsAtCap = 0;           // in a row
     PackedContacts packing;
-    /// Blocks and impulses that a solve starts from.
-    struct Start
-    {
-        std::vector<std::uint32_t> awake;
-        AndersonAcceleration::Impulses impulses;
-    } start;
     std::vector<Vec3> freeVelocity;   // of the list's own bodies in the present solve [m/s]
     StepReport lastReport;
     bool isStepBegun = false;
@@ -85,20 +76,12 @@ struct GrainDynamics::Implementation
     ContactList& wholeList() { return sleep.any() ? awakePart.whole() : list; }
     static std::vector<LoadedContact> contactsOf(const ContactList& list);
     bool isEverybodyAsleep() const { return sleep.any() && awakePart.isEmpty(); }
-    bool maySleep() const { return settings.sleep && !exchange->isParallel() && list.general.empty() && !list.isAnySwept; }
+    bool maySleep() const { return settings.sleep && !exchange->isParallel() && list.general.empty(); }
     double deadBand() const { return settings.deadBand*diameter; }
 
     void measureGrains();
     void makeWallSearch();
-    /// `minding`: the haste of grains, too.
-    bool coversStep(bool minding = true) const
-    {
-        const bool isHasty = minding && areWallsOutlined && isAnyHasty(list, deltaT);
-        return coversMotion(list, deltaT, movingWalls.areCovered(list) && !isHasty);
-    }
-    WallsOfStep wallsOfStep() const { return {scene(), *wallSearch, movingWalls}; }
-    SolveReport solveAndFollow(const ExternalForces& external);
-    double moveBodies(StepReport& report);
+    bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list)); }
     void clearForces();
     /// `isStraight`: whether grains can be expected to move with these velocities.
     void rebuildList(const std::vector<Vec3>& velocity, bool isStraight);
@@ -109,13 +92,6 @@ struct GrainDynamics::Implementation
     bool areWallsDriving(double speedScale) const;
     void prepareSolve(const ExternalForces& external);
     SolveReport solveOnce(const ExternalForces& external);
-    bool mayHoldFriction() const { return isFrictional && list.general.empty() && settings.strategy.held.isOn; }
-    void keepStart();
-    void returnToStart();
-    bool isHarmful(const SolveReport& report) const;
-    bool isJammed(const SolveReport& report, const ContactProblem& problem) const;
-    SolveReport holdFriction(const ExternalForces& external);
-    double createdEnergy(const ExternalForces& external, const SolveReport& report);
     SolveReport solveAndWake(const ExternalForces& external);
     void holdWholeList();
     void cutAwakePart();

@@ -43,12 +43,8 @@ bool DirectHelp::isDue(int sweeps)
     if (!hasPrice_ && sweeps >= std::min(settings_.strategy.direct.firstLook, settings_.maxSweeps))
     {
         hasPrice_ = true;
-        const DirectSolve direct(problem_);
-        // Who allows few sweeps wants them cheap.
-        const bool isSmall = direct.contacts() <= settings_.strategy.direct.fewContacts && settings_.maxSweeps >= settings_.strategy.direct.firstLook;
-        const double limit = isSmall ? std::numeric_limits<double>::max() : priceLimit();
-        const double price = direct.price(limit);
-        if (price <= limit) due_ = static_cast<int>(std::min<double>(settings_.maxSweeps, price));
+        const double price = DirectSolve(problem_).price(priceLimit());
+        if (price <= priceLimit()) due_ = static_cast<int>(std::min<double>(settings_.maxSweeps, price));
     }
     return sweeps >= due_;
 }

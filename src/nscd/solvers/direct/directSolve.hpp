@@ -29,9 +29,6 @@ public:
     /// Of a problem of one rank.
     explicit DirectSolve(ContactProblem& problem);
 
-    /// Number of contacts that are closed, loaded or closing.
-    std::size_t contacts() const { return slots_.size(); }
-
     /// What a solve is expected to cost, in sweeps over the active blocks; infinite if more than `limit`, or than memory may hold.
     double price(double limit) const;
 
