@@ -33,7 +33,7 @@ def figures(report):
     energy = [e/(GRAINS*MASS*G*D) for e in report["kineticEnergy"]]
     moving = [t for t, e in zip(report["time"], energy) if e >= REST]
     steps = len(energy)
-    return [sum(report["sweeps"])/steps, sum(1 for c in report["converged"] if not c), max(report["overlapMax"]), max(report["overlapMean"]),
+    return [sum(report["sweeps"])/steps, sum(report["atCap"]), max(report["overlapMax"]), max(report["overlapMean"]),
             max(abs(-report["wallForceZ"][k]/weight - 1) for k in last), energy[-1],
             math.nan if moving[-1] >= END*(1 - 1e-9) else moving[-1]]
 

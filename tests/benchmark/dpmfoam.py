@@ -111,7 +111,7 @@ def windowFigures(rows):
         ("contacts, fewest", min(contacts)), ("contacts, mean", sum(contacts)/len(rows)), ("contacts, most", max(contacts)),
         ("sweeps, mean", sum(column("sweeps"))/len(rows)),
         ("largest overlap [d]", max(column("overlapMax"))), ("largest mean overlap [d]", max(column("overlapMean"))),
-        ("steps at the cap [%]", 100*sum(1 for c in column("converged") if not c)/len(rows)),
+        ("steps at the cap [%]", 100*sum(column("atCap"))/len(rows)),
         ("largest momentum error", max(column("momentumError"))),
         ("largest volume error", max(column("volumeError"))),
     ]

@@ -4,11 +4,10 @@
 // Writing the log.
 #include "runLog.hpp"
 
+#include "nscd/base/formattedText.hpp"
 #include "nscd/tools/sceneWork.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 namespace nscdGrains
 {
@@ -16,24 +15,10 @@ namespace nscdGrains
 namespace
 {
 
+using nscd::clockText;
+using nscd::formatted;
+
 constexpr double secondsPerLine = 1.0;
-
-/// As printf, into a string.
-template<class... Values>
-std::string formatted(const char* format, Values... values)
-{
-    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), ' ');
-    std::snprintf(&text[0], text.size() + 1, format, values...);
-    return text;
-}
-
-/// A duration as h:mm:ss.
-std::string clockText(double seconds)
-{
-    constexpr double longestShown = 1e12;   // 30 000 years: beyond, no whole number of the computer holds it
-    const long whole = std::lround(std::min(seconds, longestShown));
-    return formatted("%ld:%02ld:%02ld", whole/3600, whole/60 % 60, whole % 60);
-}
 
 std::string describeGrains(const nscd::Grains& grains)
 {

@@ -39,7 +39,8 @@ const Column columns[] =
     {"wallForceZ", "N", [](const StepRow& r) { return r.wallForce.z(); }},
     {"correctionSweeps", "1", [](const StepRow& r) { return double(r.report.correctionSweeps); }},
     {"forceError", "1", [](const StepRow& r) { return r.report.solve.forceError; }},
-    {"overlapUncorrected", "diameters", [](const StepRow& r) { return r.report.overlapUncorrected; }}
+    {"overlapUncorrected", "diameters", [](const StepRow& r) { return r.report.overlapUncorrected; }},
+    {"atCap", "1", [](const StepRow& r) { return double(r.report.solve.atCap); }}
 };
 
 template<class Text>

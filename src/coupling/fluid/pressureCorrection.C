@@ -41,8 +41,9 @@ FluxLaw mixtureLaw(const FluxLaw& fluid, const ResponseTerms& grains)
 dictionary withReference(const dictionary& pimple, const word& p)
 {
     dictionary dict(pimple);
-    if (!dict.found(p + "RefPoint")) dict.add(word(p + "RefCell"), label(0));
-    dict.add(word(p + "RefValue"), scalar(0));
+    const word cell(p + "RefCell"), value(p + "RefValue");
+    if (!dict.found(cell) && !dict.found(p + "RefPoint")) dict.add(cell, label(0));
+    if (!dict.found(value)) dict.add(value, scalar(0));
     return dict;
 }
 

@@ -55,7 +55,7 @@ void CoupledRun::sampleFluid()
     step_.at.ownWake.clear();
     sampleAtGrains(forces_.readsAtStart() | (ownWake_ ? reads::own : reads::nothing));
     if (!ownWake_) return;
-    followOwnWake(forceInputs(), fluidForce_, ownStressShare(properties_.forces), time_.deltaTValue(), step_.at, *ownWake_);
+    followOwnWake(forceInputs(), fluidForce_, ownStressShare_, time_.deltaTValue(), step_.at, *ownWake_);
 }
 
 void CoupledRun::sampleAtGrains(unsigned wanted)

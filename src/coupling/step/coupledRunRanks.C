@@ -6,12 +6,15 @@
 #include "coupling/step/coupledRun.H"
 
 #include "coupling/base/vectorConversion.H"
-#include "coupling/case/log/logText.H"
+
+#include "nscd/base/formattedText.hpp"
 
 namespace Foam
 {
 namespace nscdCoupling
 {
+
+using ::nscd::formatted;
 
 /// The next step searches its contacts anew, as a restarted run does.
 GrainState CoupledRun::takeState()

@@ -13,6 +13,7 @@
 #include "coupling/case/start/numericsCheck.H"
 #include "coupling/case/start/unsupportedFiles.H"
 #include "coupling/case/start/parallelRefusal.H"
+#include "coupling/step/ownWake.H"
 #include "nscd/contacts/contactLaw.hpp"
 
 #include "input/scene/drivenReader.hpp"
@@ -78,6 +79,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     lastContactForce_(memory_.add(contactForce)),
     fluidForce_(memory_.add(fluidForce)),
     ownWake_(correctsOwnWake(properties_, scene_.space.shape.dimensions) ? &memory_.add(ownWakeOfGrain) : nullptr),
+    ownStressShare_(ownStressShare(properties_.forces)),
     log_(time, Info, properties_.solvesFluid)
 {
     startGrains();

@@ -4,8 +4,9 @@
 // What users should know of a step, in words and counts.
 #include "nscd/scene/stepWarnings.hpp"
 
+#include "nscd/base/formattedText.hpp"
+
 #include <algorithm>
-#include <cstdio>
 
 namespace nscd
 {
@@ -14,15 +15,6 @@ namespace
 {
 
 constexpr int patience = 5;   // steps in a row at the cap: a few are what an impact costs
-
-/// As printf, into a string.
-template<class... Values>
-std::string formatted(const char* format, Values... values)
-{
-    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), ' ');
-    std::snprintf(&text[0], text.size() + 1, format, values...);
-    return text;
-}
 
 Warning unlikeMasses(const SolveReport& report)
 {

@@ -5,7 +5,6 @@
 #include "caseTools.H"
 
 #include "coupling/case/log/grainReport.H"
-#include "coupling/case/log/logText.H"
 #include "coupling/case/log/progressLog.H"
 #include "coupling/case/log/timingTable.H"
 #include "coupling/case/start/grainScene.H"
@@ -76,6 +75,7 @@ TEST(GrainReport, everyRowIsOnDiskAtOnceWithEveryDigit)
     row.report.solve.contacts = 7;
     row.report.solve.sweeps = 5;
     row.report.solve.converged = false;
+    row.report.solve.atCap = true;
     row.report.solve.residualRms = 1e-9/7;
     row.report.solve.residualMax = 2;
     row.report.solve.forceError = 22;
@@ -107,7 +107,7 @@ TEST(GrainReport, everyRowIsOnDiskAtOnceWithEveryDigit)
         {"residualRms", 1e-9/7}, {"residualMax", 2}, {"overlapMax", 3}, {"overlapMean", 4}, {"kineticEnergy", 6},
         {"massCenterX", 8}, {"massCenterY", 9}, {"massCenterZ", 10}, {"wallForceX", 11}, {"wallForceY", 12},
         {"wallForceZ", 13}, {"grainVolume", 14}, {"momentumError", 1e-17/3}, {"momentumDebt", 21}, {"forceError", 22},
-        {"overlapUncorrected", 23}, {"solidVolume", 24}, {"volumeOutside", 25}, {"volumeMoved", 26}, {"volumeUnresolved", 27}, {"volumeError", 28}
+        {"overlapUncorrected", 23}, {"solidVolume", 24}, {"volumeOutside", 25}, {"volumeMoved", 26}, {"volumeUnresolved", 27}, {"volumeError", 28}, {"atCap", 1}
     };
     const std::map<std::string, double> given = rowOf(lines, 0);
     for (const auto& value : expected) EXPECT_EQ(given.at(value.first), value.second) << value.first;
@@ -198,14 +198,6 @@ TEST(ProgressLog, countsWarningsInItsSummary)
         "unlike masses          1 steps, first at 1 s, worst 1e+04 times as heavy",
         "before its correction 0.04 d"
     })) << os.str();
-}
-
-TEST(LogText, durationsReadAsAClock)
-{
-    EXPECT_EQ(clockText(0.4), "0:00:00");
-    EXPECT_EQ(clockText(59.6), "0:01:00");
-    EXPECT_EQ(clockText(100*3600 + 61), "100:01:01");
-    EXPECT_EQ(clockText(1e60), "277777777:46:40");
 }
 
 namespace

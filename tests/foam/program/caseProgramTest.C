@@ -200,6 +200,14 @@ TEST(Program, isRunByTheFunctionsOfOpenFOAMsTutorials)
     EXPECT_EQ(c.latestTime(), "0");
 }
 
+TEST(Program, takesTheReferenceOfThePressureThatACaseNames)
+{
+    const std::string named = with(solutionWith(2), "nCorrectors 2;", "nCorrectors 2; pRefCell 3; pRefValue 7;");
+    const ProgramRun run = ProgramCase(Files{{"system/fvSolution", named}}).run();
+    EXPECT_TRUE(succeeds(run));
+    EXPECT_EQ(run.log.find("already exists"), std::string::npos) << run.log;
+}
+
 TEST(Program, runsWithoutFluidFields)
 {
     Files files;

@@ -56,7 +56,8 @@ const Column columns[] =
     {"volumeOutside", "m3", [](const StepRow& r) { return double(r.volumeOutside); }},
     {"volumeMoved", "m3", [](const StepRow& r) { return double(r.volumeMoved); }},
     {"volumeUnresolved", "m3", [](const StepRow& r) { return double(r.volumeUnresolved); }},
-    {"volumeError", "1", [](const StepRow& r) { return double(r.volumeError); }}
+    {"volumeError", "1", [](const StepRow& r) { return double(r.volumeError); }},
+    {"atCap", "1", [](const StepRow& r) { return double(r.report.solve.atCap); }}
 };
 
 template<class Part>

@@ -4,7 +4,7 @@
 // Sums over patches.
 #include "coupling/case/log/inflow.H"
 
-#include "coupling/case/log/logText.H"
+#include "nscd/base/formattedText.hpp"
 
 #include "surfaceFields.H"
 
@@ -12,6 +12,8 @@ namespace Foam
 {
 namespace nscdCoupling
 {
+
+using ::nscd::formatted;
 
 namespace
 {

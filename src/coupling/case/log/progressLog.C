@@ -2,13 +2,17 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Writing the log.
-#include "coupling/case/log/logText.H"
 #include "coupling/case/log/progressLog.H"
+
+#include "nscd/base/formattedText.hpp"
 
 namespace Foam
 {
 namespace nscdCoupling
 {
+
+using ::nscd::clockText;
+using ::nscd::formatted;
 
 namespace
 {

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The lines about the case.
-#include "coupling/case/log/logText.H"
 #include "coupling/case/log/sceneLog.H"
 
+#include "nscd/base/formattedText.hpp"
 #include "nscd/tools/sceneWork.hpp"
 
 #include "Time.H"
@@ -13,6 +13,8 @@ namespace Foam
 {
 namespace nscdCoupling
 {
+
+using ::nscd::formatted;
 
 namespace
 {

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Timing the parts of a step.
-#include "coupling/case/log/logText.H"
 #include "coupling/case/log/timingTable.H"
+
+#include "nscd/base/formattedText.hpp"
 
 #include <numeric>
 
@@ -11,6 +12,8 @@ namespace Foam
 {
 namespace nscdCoupling
 {
+
+using ::nscd::formatted;
 
 const std::array<const char*, nStepParts> stepPartNames =
 {

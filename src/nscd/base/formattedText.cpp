@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Formatting text for the log.
-#include "coupling/case/log/logText.H"
+// Formatting by the C library.
+#include "nscd/base/formattedText.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
-namespace Foam
-{
-namespace nscdCoupling
+namespace nscd
 {
 
 std::string formatted(const char* format, ...)
@@ -20,13 +18,12 @@ std::string formatted(const char* format, ...)
     va_start(arguments, format);
     std::va_list again;
     va_copy(again, arguments);
-    std::string text(std::vsnprintf(nullptr, 0, format, arguments), ' ');
+    std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, arguments)), ' ');
     std::vsnprintf(&text[0], text.size() + 1, format, again);
     va_end(again);
     va_end(arguments);
     return text;
 }
-
 
 std::string clockText(double seconds)
 {
@@ -35,5 +32,4 @@ std::string clockText(double seconds)
     return formatted("%ld:%02ld:%02ld", whole/3600, whole/60 % 60, whole % 60);
 }
 
-} // namespace nscdCoupling
-} // namespace Foam
+} // namespace nscd

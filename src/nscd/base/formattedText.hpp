@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Text for the log in columns, which OpenFOAM's streams cannot set.
-#ifndef nscdCoupling_logText_H
-#define nscdCoupling_logText_H
+// Text for logs and messages, numbers in columns.
+#pragma once
 
 #include <string>
 
-namespace Foam
-{
-namespace nscdCoupling
+namespace nscd
 {
 
 /// As printf, into a string.
@@ -18,7 +15,4 @@ std::string formatted(const char* format, ...) __attribute__((format(printf, 1, 
 /// A duration as h:mm:ss, rounded to seconds.
 std::string clockText(double seconds);
 
-} // namespace nscdCoupling
-} // namespace Foam
-
-#endif
+} // namespace nscd
