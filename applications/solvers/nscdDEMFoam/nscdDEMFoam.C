@@ -8,6 +8,7 @@
 #include "coupling/case/start/controlEdits.H"
 #include "coupling/case/start/meshCheck.H"
 #include "coupling/case/start/parallelRefusal.H"
+#include "coupling/case/start/toldErrors.H"
 #include "coupling/step/coupledRun.H"
 
 #include "nscd/base/folderLock.hpp"
@@ -15,12 +16,11 @@
 #include "argList.H"
 
 #include <memory>
-#include <stdexcept>
 
 namespace
 {
 
-void runCase(Foam::Time& time, Foam::fvMesh& mesh)
+void runSteps(Foam::Time& time, Foam::fvMesh& mesh)
 {
     std::unique_ptr<nscd::FolderLock> lock;
     if (Foam::Pstream::master()) lock = std::make_unique<nscd::FolderLock>(time.globalPath());
@@ -40,6 +40,18 @@ void runCase(Foam::Time& time, Foam::fvMesh& mesh)
     run.finish();
 }
 
+void runCase(const Foam::argList& args)
+{
+    using namespace Foam;
+    nscdCoupling::checkProcessorFolders(args);
+    nscdCoupling::completeTimes(args);
+    nscdCoupling::checkControlText(args);
+    #include "createTime.H"
+    nscdCoupling::checkStartText(runTime);
+    autoPtr<fvMesh> mesh = nscdCoupling::readMesh(runTime);
+    runSteps(runTime, *mesh);
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
@@ -49,22 +61,7 @@ int main(int argc, char* argv[])
 
     nscdCoupling::refuseLoneRanks(argc, argv);
     #include "setRootCase.H"
-    nscdCoupling::checkProcessorFolders(args);
-    nscdCoupling::completeTimes(args);
-    nscdCoupling::checkControlText(args);
-    #include "createTime.H"
-    nscdCoupling::checkStartText(runTime);
-    fvMesh mesh(IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime, IOobject::MUST_READ));
-    nscdCoupling::checkMeshFiles(mesh);
-
-    try
-    {
-        runCase(runTime, mesh);
-    }
-    catch (const std::exception& error)
-    {
-        FatalErrorIn("nscdDEMFoam") << error.what() << exit(FatalError);
-    }
+    nscdCoupling::runToldErrors([&] { runCase(args); });
     Info<< "End" << nl << endl;
     return 0;
 }

@@ -42,7 +42,8 @@ void followOwnWake
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         const scalar lone = closures::loneliness(at.own.others[i]);
-        if (lone == 0)
+        // A grain outside the mesh has no cells of its own.
+        if (lone == 0 || at.own.fraction[i] == 0)
         {
             wake[i] = Vec3::Zero();
             continue;

@@ -56,6 +56,12 @@ bool CheckedEntries::foundAsSpelt(const std::string& keyword) const
     return false;
 }
 
+void CheckedEntries::refuseMisspelt(const Words& keywords) const
+{
+    for (const std::string& keyword : keywords) found(keyword);
+    for (const std::string& keyword : keywords) foundAsSpelt(keyword);
+}
+
 void CheckedEntries::require(const std::string& keyword, const std::string& allowed) const
 {
     if (found(keyword)) return;

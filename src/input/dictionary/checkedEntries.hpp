@@ -30,6 +30,8 @@ public:
     bool found(const std::string& keyword) const;
     /// Likewise, of a keyword without which others would be complained about: refuses the one that may be it, misspelt.
     bool foundAsSpelt(const std::string& keyword) const;
+    /// Refuses entries that may be one of these keywords, misspelt: for dictionaries that hold entries of others as well.
+    void refuseMisspelt(const Words& keywords) const;
     /// Refuses a dictionary without the keyword; names the one that may be it, misspelt.
     void require(const std::string& keyword, const std::string& allowed) const;
     Place place(const std::string& keyword) const { return dict_.placeOf(keyword); }

@@ -44,6 +44,7 @@ private:
         const Token key = take();
         if (key.isMark(';')) return;
         if (key.kind == Token::Kind::mark) throw InputError({{file_, key.line}, "has no keyword here", key.text, "keyword value; or keyword { ... }"});
+        if (key.isNumber()) throw InputError({{file_, key.line}, "has a number where a keyword belongs", key.text, "keyword value; or keyword { ... }"});
         const Place place = {file_, key.line, dict.pathOf(key.text)};
         if (const Entry* first = dict.find(key.text)) throw InputError(repeated(place, first->line));
 

@@ -52,6 +52,21 @@ std::string numberAround(const std::string& text, std::size_t at)
     return text.substr(first, text.find_first_not_of(lettersOfNumbers, at) - first);
 }
 
+int lineOf(const std::string& text, std::size_t at)
+{
+    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+void checkBraces(const std::string& text, const std::string& file)
+{
+    int depth = 0;
+    for (std::size_t at = text.find_first_of("{}"); at != std::string::npos; at = text.find_first_of("{}", at + 1))
+    {
+        depth += text[at] == '{' ? 1 : -1;
+        if (depth > maxDepth) throw InputError(nestedTooDeep({file, lineOf(text, at)}));
+    }
+}
+
 /// Directives after which one keyword may be meant to stand twice.
 bool mayRepeat(const Token& token) { return token.text.compare(0, 3, "#if") == 0 || token.text == "#inputMode"; }
 
@@ -113,10 +128,19 @@ private:
             const Token& token = tokens_[at_];
             if (overflows(token)) throw InputError({place, "is not a finite number", token.text, largestOfAll});
             if (token.isMark(';') && depth == 0) break;
+            if (depth == 0 && beginsDictionary()) throw InputError({place, "has no semicolon before {", "", "keyword value;"});
             depth += token.isMark('(') + token.isMark('{') - token.isMark(')') - token.isMark('}');
         }
         if (depth < 0) --at_;
         else ++at_;
+    }
+
+    /// Whether the next thing is a dictionary behind its keyword, not one of OpenFOAM's 3{0} or #eval{ ... }. OpenFOAM warns, and goes on with
+    /// dictionaries that end elsewhere.
+    bool beginsDictionary() const
+    {
+        const Token& before = tokens_[at_ - 1];
+        return tokens_[at_].isMark('{') && before.kind == Token::Kind::word && !std::strchr("#$", before.text[0]);
     }
 
     const std::vector<Token>& tokens_;
@@ -136,16 +160,16 @@ void checkOpenFoamText(const std::string& text, const std::string& file, Repeats
     walk.through(top, 0);
 }
 
-void checkNumbers(const std::string& text, const std::string& file)
+void checkFieldText(const std::string& text, const std::string& file)
 {
+    checkBraces(text, file);
     const WithoutTraps traps;
     for (std::size_t e = text.find_first_of("eE"); e != std::string::npos; e = text.find_first_of("eE", e + 1))
     {
         if (!isLargeExponent(text, e) || isInComment(text, e)) continue;
         const std::string word = numberAround(text, e);
         if (!overflows(word)) continue;
-        const int line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(e), '\n'));
-        throw InputError({{file, line}, "holds a number that no computer holds", word, largestOfAll});
+        throw InputError({{file, lineOf(text, e)}, "holds a number that no computer holds", word, largestOfAll});
     }
 }
 

@@ -14,11 +14,12 @@ enum class Repeats { refused, allowed };
 
 /// Looks through the text of a dictionary that OpenFOAM is going to read. What a file includes, and what stands beside conditional
 /// directives, is not looked at: a keyword may well be said there again.
-/// Errors: InputError for a keyword given twice in one dictionary, for numbers that no computer holds (1e999), and for dictionaries nested too deep
+/// Errors: InputError for a keyword given twice in one dictionary, for a semicolon missing before a dictionary, for numbers that no
+///         computer holds (1e999), and for dictionaries nested too deep
 void checkOpenFoamText(const std::string& text, const std::string& file, Repeats repeats = Repeats::refused);
 
-/// Looks for numbers alone, in any text: fields and lists are read at about a gigabyte a second.
-/// Errors: InputError for a number that no computer holds, with its line
-void checkNumbers(const std::string& text, const std::string& file);
+/// Looks for numbers and braces alone, in any text: fields and lists are read at about a gigabyte a second.
+/// Errors: InputError for a number that no computer holds, and for dictionaries nested too deep, with their line
+void checkFieldText(const std::string& text, const std::string& file);
 
 } // namespace input

@@ -118,6 +118,7 @@ void readSources(const CheckedEntries& top, const Surroundings& around, Scene& s
     {
         if (!entry.dict)
         {
+            named.foundAsSpelt("type");
             const std::string allowed = "grains { type lattice; ... }, or one dictionary for each source";
             throw InputError({named.place(entry.keyword), "stands in grains without a type", "", allowed});
         }

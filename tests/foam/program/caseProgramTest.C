@@ -79,6 +79,7 @@ TEST(Program, stopsAtFluidPropertiesThatMakeNoSense)
     EXPECT_TRUE(isRefusedWith(file, model + "nu 1e-6; rho -1;", {file, "line 3", "rho", "> 0"}));
     EXPECT_TRUE(isRefusedWith(file, model + "nu -1e-6; rho 1;", {file, "line 3", "nu", "> 0"}));
     EXPECT_TRUE(isRefusedWith(file, model + "nu 1e-6; rho [0 1 0 0 0 0 0] 1;", {file, "rho", "wrong dimensions"}));
+    EXPECT_TRUE(isRefusedWith("constant/g", "dimensions [0 1 -2 0 0 0 0];\nvalue (0 0 1e40);", {"constant/g", "line 3", "value is too large", "1e+30"}));
     EXPECT_TRUE(isRefusedWith("0/p_rgh",
         "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0; boundaryField { \".*\" { type zeroGradient; } }",
         {"0/p_rgh", "line 2", "[0 2 -2 0 0 0 0]", "[1 -1 -2 0 0 0 0]", "Pa"}));
@@ -92,6 +93,7 @@ TEST(Program, stopsAtFilesOfOpenFOAMThatItWouldIgnore)
     EXPECT_TRUE(isRefusedWith("constant/MRFProperties", zone, {"constant/MRFProperties", "rotor", "rotating frame"}));
     EXPECT_TRUE(isRefusedWith("constant/dynamicMeshDict", "dynamicFvMesh dynamicMotionSolverFvMesh;",
         {"constant/dynamicMeshDict", "dynamicMotionSolverFvMesh", "staticFvMesh"}));
+    EXPECT_TRUE(isRefusedWith("constant/dynamicMeshDict", "mover { type motionSolver; }", {"constant/dynamicMeshDict", "moves the mesh"}));
     const ProgramCase harmless(Files{{"constant/fvOptions", "\n"}, {"constant/MRFProperties", "\n"}, {"constant/dynamicMeshDict", "dynamicFvMesh staticFvMesh;"}});
     EXPECT_TRUE(succeeds(harmless.run()));
 }
@@ -103,6 +105,36 @@ TEST(Program, stopsAtTimeControlsThatAreNotPositive)
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "endTime 7e77;"), {"system/controlDict", "keyword endTime is too large"}));
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "writeControl runTime; writeInterval -1;"), {"controlDict", "writeInterval"}));
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "adjustTimeStep yes; maxDeltaT -1;"), {"controlDict", "maxDeltaT"}));
+    // OpenFOAM counts written times in 32 bits.
+    const std::string often = "writeControl runTime; endTime 1; writeInterval ";
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), often + "1e-307;"), {"controlDict", "writeInterval"}));
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), often + "1e-10;"), {"controlDict", "writeInterval", "more written times than can be counted"}));
+}
+
+TEST(Program, stopsAtMisspeltControlsOfTheFluid)
+{
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), "adjustTimeStep yes; mxaCo 0.2;"), {"system/controlDict", "mxaCo", "nearest: maxCo"}));
+    const auto isRefusedWithControl = [](const std::string& control, const std::vector<std::string>& pieces)
+    {
+        return isRefusedWith("system/fvSolution", with(solutionWith(2), "nCorrectors 2;", control), pieces);
+    };
+    EXPECT_TRUE(isRefusedWith("system/fvSolution", with(solutionWith(2), "PIMPLE", "PMIPLE"), {"fvSolution", "PMIPLE", "nearest: PIMPLE"}));
+    EXPECT_TRUE(isRefusedWith("system/fvSolution", with(solutionWith(2), "PIMPLE", "PIMPLE 5; other"), {"fvSolution", "PIMPLE is not a dictionary"}));
+    EXPECT_TRUE(isRefusedWithControl("ommentumPredictor no;", {"fvSolution", "ommentumPredictor", "nearest: momentumPredictor"}));
+    EXPECT_TRUE(isRefusedWithControl("nCorrectors 0;", {"fvSolution", "keyword PIMPLE.nCorrectors is out of range", ">= 1"}));
+    EXPECT_TRUE(isRefusedWithControl("nOuterCorrectors 0;", {"fvSolution", "keyword PIMPLE.nOuterCorrectors is out of range", ">= 1"}));
+}
+
+/// OpenFOAM aborts at the first three, and ends without a word at the last.
+TEST(Program, stopsWithoutASignalWhereOpenFOAMAborts)
+{
+    const std::string field = "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { \".*\" ";
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), "deltaT { a 1; }"), {"system/controlDict", "deltaT", "dictionary"}));
+    EXPECT_TRUE(isRefusedWith("0/U", field + "{ type fixedValue; value { a 1; } } }", {"0/U", "value", "dictionary"}));
+    EXPECT_TRUE(isRefusedWith("system/fvSchemes", "laplacianSchemes 5;", {"system/fvSchemes", "laplacianSchemes"}));
+    EXPECT_TRUE(isRefusedWith("system/fvSchemes", "ddtSchemes { default Euler; } divSchemes { default none; div(phi,U) Gauss linearUpwindV grad(U); "
+        "div((nuEff*dev2(T(grad(U))))) Gauss linear; } gradSchemes { default Gauss lienar; } laplacianSchemes { default Gauss linear corrected; } "
+        "interpolationSchemes { default linear; } snGradSchemes { default corrected; }", {"lienar"}));
 }
 
 TEST(Program, stopsInWordsAtTextThatOpenFOAMCannotRead)
@@ -115,6 +147,7 @@ TEST(Program, stopsInWordsAtTextThatOpenFOAMCannotRead)
     std::string deep = "simulationType laminar; ";
     for (int k = 0; k < 100000; ++k) deep += "a { ";
     EXPECT_TRUE(isRefusedWith("constant/turbulenceProperties", deep, {"turbulenceProperties", "nested too deep"}));
+    EXPECT_TRUE(isRefusedWith("0/U", deep, {"0/U", "nested too deep"}));
 }
 
 TEST(Program, stopsInWordsAtAMeshWhoseFilesDoNotFit)
@@ -133,8 +166,23 @@ TEST(Program, stopsInWordsAtAMeshWhoseFilesDoNotFit)
     EXPECT_TRUE(isRefusedWithEdit("neighbour", "\n(\n1\n", "\n(\n99999\n", {"polyMesh/owner", "leaves cell 128 too few faces"}));
     EXPECT_TRUE(isRefusedWithEdit("points", "(0 0 0)", "(1e200 0 0)", {"polyMesh/points", "too far away"}));
     EXPECT_TRUE(isRefusedWithEdit("points", "(0 0 0)", "(1e999 0 0)", {"polyMesh/points", "no computer holds"}));
+    EXPECT_TRUE(isRefusedWithEdit("owner", "\n(\n0\n", "\n(\n-1\n", {"constant/polyMesh", "Illegal cell label -1"}));
     EXPECT_TRUE(isRefusedWithEdit("boundary", "startFace", "startFace 7; old", {"polyMesh/boundary", "begins patch left elsewhere"}));
     EXPECT_TRUE(succeeds(c.run()));
+}
+
+/// Cyclic patches ask for the geometry of cells as soon as they are made.
+TEST(Program, stopsInWordsAtAPeriodicMeshThatIsNotWhole)
+{
+    BoxMeshSettings box = programBox();
+    box.patchTypes = {"cyclic", "cyclic", "wall", "wall", "wall", "wall"};
+    const ProgramCase c(Files(), "", box);
+    const std::string path = "constant/polyMesh/points", text = c.contents(path), first = "(0 0 0)";
+    std::ofstream(c.path(path)) << std::string(text).replace(text.find(first), first.size(), "(1e200 0 0)");
+    EXPECT_TRUE(isRefused(c, {"polyMesh/points", "too far away"}));
+    std::ofstream(c.path(path)) << text;
+    rm(c.path("constant/polyMesh/owner"));
+    EXPECT_TRUE(isRefused(c, {"polyMesh/owner", "is missing"}));
 }
 
 /// OpenFOAM divides by what stands there, or runs for ever, once it has seen the edit (it looks for files 10 s newer; here any is seen).
@@ -254,6 +302,16 @@ TEST(BadStart, drivenGrainsMustBeThere)
     EXPECT_TRUE(isRefusedWith("constant/grainProperties", grains + "driven { a { ids (3 18); velocity (0 0 1); } }", {"driven.a", "not there"}));
 }
 
+/// The fluid's equation has the factor alpha before the pressure's gradient all the same.
+TEST(Program, saysThatAForceLeftOutIsMomentumLost)
+{
+    const auto log = [](const std::string& more) { return ProgramCase(Files{{"constant/grainProperties", grains + more}}).run().log; };
+    EXPECT_TRUE(holds(log("forces { pressureGradient off; viscous off; }"), {"pressureGradient, viscous off: the fluid loses momentum"}));
+    EXPECT_TRUE(holds(log("forces { viscous off; }"), {" viscous off: the fluid loses momentum"}));
+    EXPECT_EQ(log("forces { viscous off; } feedback off;").find("loses momentum"), std::string::npos);
+    EXPECT_EQ(log("").find("loses momentum"), std::string::npos);
+}
+
 TEST(Program, runsWithTheDragSwitchedOffAndSubCycles)
 {
     const ProgramCase c(Files{{"constant/grainProperties", grains + "forces { drag { law none; } } timeStep { subCycles 3; }"}});
@@ -342,6 +400,12 @@ TEST(Program, stopsAtWhatTheTurbulenceModelLacks)
         {"0/nut", field("[0 2 -1 0 0 0 0]", "0")}
     };
     EXPECT_TRUE(isRefused(ProgramCase(files), {"0/k"}));
+    files["0/k"] = field("[0 2 -3 0 0 0 0]", "1e-4");
+    EXPECT_TRUE(isRefused(ProgramCase(files), {"0/k", "are wrong for k", "m2/s2"}));
+    files["0/k"] = field("[0 2 -2 0 0 0 0]", "-1");
+    EXPECT_TRUE(isRefused(ProgramCase(files), {"0/k", "holds a negative number"}));
+    files["0/k"] = field("[0 2 -2 0 0 0 0]", "1e200");
+    EXPECT_TRUE(isRefused(ProgramCase(files), {"0/k", "internalField holds a number that is too large"}));
     files["0/k"] = field("[0 2 -2 0 0 0 0]", "1e-4");
     EXPECT_TRUE(isRefused(ProgramCase(files), {"fvSolution", "kFinal"}));
     const std::string rest = "preconditioner none; tolerance 1e-9; relTol 0; }";

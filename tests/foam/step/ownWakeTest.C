@@ -135,6 +135,16 @@ TEST(OwnWakeOfGrains, isForgottenAmongOthers)
     }
 }
 
+TEST(OwnWakeOfGrains, hasNoneOutsideTheMesh)
+{
+    Wakes wakes;
+    wakes.sampled.own.fraction[2] = 0;
+    wakes.follow(1e-3);
+    EXPECT_EQ(wakes.wake[2], Vec3::Zero());
+    EXPECT_EQ(wakes.suspension.at.velocity[2], wakes.sampled.velocity[2]);
+    EXPECT_NE(wakes.wake[3], Vec3::Zero());
+}
+
 TEST(OwnWakeOfGrains, ofStressIsThatOfTheForcesThatAreOn)
 {
     EXPECT_NEAR(ownStressShare(forcesOf("")), 1, 1e-15);

@@ -144,6 +144,14 @@ TEST(Entries, whatNobodyDeclaredIsRefused)
     EXPECT_EQ(complaint("a 1;\nd 2;", read), "scene, line 2: keyword d is not a keyword here\n  value:   d\n  allowed: a, b, c");
 }
 
+/// Beside entries that somebody else reads.
+TEST(Entries, whatMayBeMisspeltIsRefused)
+{
+    const auto read = [](const CheckedEntries& top) { top.refuseMisspelt({"deltaT", "maxDeltaT", "maxCo"}); };
+    EXPECT_EQ(complaint("deltaT 1; startTime 0; maxDi 3;", read), "");
+    EXPECT_EQ(complaint("deltaT 1;\nmxaCo 2;", read), "scene, line 2: keyword mxaCo is not a keyword here\n  value:   mxaCo\n  allowed: maxCo\n  nearest: maxCo");
+}
+
 TEST(Entries, listsAndWords)
 {
     const Dictionary dict = input::parseDictionary("ids (3 1); counted 2 (3 1); words (a b); none (); pair (0 1); points ((0 0 0) (1 2 3)); on yes; name \"a b\";", "scene");

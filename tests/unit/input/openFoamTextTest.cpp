@@ -36,6 +36,14 @@ TEST(OpenFoamText, keywordsGivenTwiceAreFound)
     EXPECT_NE(complaint("a (b { c 1; } (1 2)); a 2;"), "");
 }
 
+/// OpenFOAM warns of a brace too many, and takes the rest of the text for something else.
+TEST(OpenFoamText, semicolonsMissingBeforeADictionaryAreFound)
+{
+    EXPECT_EQ(complaint("w { n (0 0 1)\nm { t 1; } }"), "dict, line 1: keyword w.n has no semicolon before {\n  allowed: keyword value;");
+    EXPECT_NE(complaint("a 1 b { c 2; }"), "");
+    EXPECT_EQ(complaint("a 3{0}; b List<vector> 2{(0 0 0)}; c #eval{ 1 + 2 }; d #eval { 3 }; e (f { g 1; }); h #{ i { } #}; j ${k};"), "");
+}
+
 TEST(OpenFoamText, numbersThatOverflowAreFound)
 {
     EXPECT_EQ(complaint("a { b\n-1e999; }"), "dict, line 1: keyword a.b is not a finite number\n  value:   -1e999\n  allowed: a number up to 1e308");
@@ -49,7 +57,7 @@ TEST(OpenFoamText, numbersThatOverflowAreFoundInAnyText)
     {
         try
         {
-            input::checkNumbers(text, "U");
+            input::checkFieldText(text, "U");
         }
         catch (const input::InputError& error)
         {
@@ -61,6 +69,10 @@ TEST(OpenFoamText, numbersThatOverflowAreFoundInAnyText)
     EXPECT_NE(complaintOf("1.E999"), "");
     EXPECT_NE(complaintOf("// of 1\n1e999"), "");
     EXPECT_EQ(complaintOf("// 1e999\n1e308 1e-999 one1e999 e999 1e99 the 1e0000001"), "");
+    std::string deep = "a\n";
+    for (int k = 0; k < 51; ++k) deep += "{ ";
+    EXPECT_EQ(complaintOf(deep), "U, line 2: is nested too deep\n  allowed: at most 50 levels");
+    EXPECT_EQ(complaintOf(deep.substr(0, deep.size() - 2) + "} {"), "");
 }
 
 TEST(OpenFoamText, keywordsOfOthersMayBeGivenTwice)

@@ -30,6 +30,7 @@ inline std::vector<Wrong> wrongInputs()
         {"valueForDictionary", "solver    { type NLGS; }", "solver NLGS;", 7, {"keyword solver is not a dictionary", "value:   NLGS"}},
         {"valueForMaterial", "glass { density 2500; }", "glass 2500;", 1, {"keyword materials.glass is not a dictionary", "value:   2500"}},
         {"missingSemicolon", "diameter 0.01;", "diameter 0.01", 3, {"keyword grains.diameter is not a single number (a missing semicolon?)"}},
+        {"missingSemicolonBeforeADictionary", "wallMaterial steel;", "wallMaterial steel", 4, {"keyword wallMaterial has no semicolon before {"}},
         {"keywordTwice", "diameter 0.01;", "diameter 0.01; diameter 0.02;", 3, {"keyword grains.diameter is given twice, first in line 3"}},
         {"dictionaryTwice", "driven    { }", "driven { } solver { tolerance 1; }", 8, {"keyword solver is given twice, first in line 7"}},
 
@@ -84,6 +85,7 @@ inline std::vector<Wrong> wrongInputs()
 
         // Sources
         {"sourceOfUnknownType", "type lattice", "type latice", 3, {"keyword grains.type", "value:   latice", "positionsFile", "nearest: lattice"}},
+        {"misspeltType", "type lattice", "typ lattice", 3, {"keyword grains.typ is not a keyword here", "nearest: type"}},
         {"grainsWithoutType", "type lattice; ", "", 3, {"stands in grains without a type"}},
         {"negativeDiameter", "diameter 0.01", "diameter -0.01", 3, {"keyword grains.diameter is out of range", "value:   -0.01", "> 0"}},
         {"emptyLattice", "box (0 0 0) (0.06", "box (0.1 0 0) (0.06", 3, {"keyword grains.box is empty"}},

@@ -77,6 +77,7 @@ const Wrong badScenes[] =
     {"unclosedString", "type NLGS;", "type \"NLGS;", 7, {"begins a string that does not end"}},
     {"unclosedComment", "gravity ", "/* gravity ", 11, {"begins a comment that does not end"}},
     {"keywordTwice", "endTime   0.09;", "deltaT 2;", 9, {"keyword deltaT is given twice, first in line 8"}},
+    {"numberForKeyword", "deltaT    1e-3", "1e-3 deltaT", 8, {"has a number where a keyword belongs", "value:   1e-3"}},
     {"macro", "deltaT    1e-3", "deltaT    $dt", 8, {"holds $"}},
     {"include", "gravity ", "#include \"other\"\ngravity ", 11, {"holds #"}},
     {"binaryFile", "gravity ", "\x01\x02", 11, {"holds a character that is no text"}},

@@ -63,6 +63,18 @@ string describeFluid(const GrainProperties& properties, int dimensions)
     );
 }
 
+/// Forces that the fluid's equation has by its factor alpha, and the grains of this case do not; empty: none.
+string forcesOfFluidAlone(const GrainProperties& properties)
+{
+    string names;
+    if (!properties.solvesFluid || !properties.hasFeedback) return names;
+    for (const char* force : {"pressureGradient", "viscous"})
+    {
+        if (!properties.forces.isOn(force)) names += (names.empty() ? "" : ", ") + string(force);
+    }
+    return names;
+}
+
 } // namespace
 
 
@@ -90,6 +102,8 @@ void logScene
         nscd::describeWork(properties.materials.table, scene.space.shape, contact).c_str()
     ));
     line("fluid", describeFluid(properties, scene.space.shape.dimensions));
+    const string missing = forcesOfFluidAlone(properties);
+    if (!missing.empty()) line("", missing + " off: the fluid loses momentum that no grain gets, which momentumError counts");
     for (const string& patch : inflow) line("inflow", patch);
     if (Pstream::parRun()) line("ranks", formatted("%d, load at most %.3g of the mean", Pstream::nProcs(), properties.maxLoadImbalance));
     os << endl;

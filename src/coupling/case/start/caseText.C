@@ -5,6 +5,8 @@
 #include "coupling/case/start/caseText.H"
 
 #include "coupling/case/input/inputError.H"
+#include "coupling/case/start/controlEdits.H"
+#include "coupling/case/start/initialChecks.H"
 
 #include "input/dictionary/openFoamText.hpp"
 
@@ -43,9 +45,9 @@ void checkDictionary(const std::string& path)
     toldByFoam([&] { input::checkOpenFoamText(textOf(path), path, input::Repeats::allowed); });
 }
 
-void checkNumbersIn(const std::string& path)
+void checkFieldText(const std::string& path)
 {
-    toldByFoam([&] { input::checkNumbers(textOf(path), path); });
+    toldByFoam([&] { input::checkFieldText(textOf(path), path); });
 }
 
 void checkFolder(const std::string& folder)
@@ -54,7 +56,7 @@ void checkFolder(const std::string& folder)
     std::error_code error;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error))
     {
-        if (entry.is_regular_file(error)) checkNumbersIn(entry.path());
+        if (entry.is_regular_file(error)) checkFieldText(entry.path());
     }
 }
 
@@ -63,7 +65,10 @@ void checkFolder(const std::string& folder)
 
 void checkControlText(const argList& args)
 {
-    checkDictionary(args.rootPath()/args.globalCaseName()/"system"/"controlDict");
+    const fileName file = args.rootPath()/args.globalCaseName()/"system"/"controlDict";
+    checkDictionary(file);
+    const dictionary control = readIfWhole(file);
+    if (!control.empty()) checkTimeControls(control);
 }
 
 
@@ -72,7 +77,7 @@ void checkStartText(const Time& time)
     const fileName system = time.globalPath()/time.system(), constant = time.globalPath()/time.constant();
     for (const fileName& file : {system/"fvSchemes", system/"fvSolution", constant/"turbulenceProperties"}) checkDictionary(file);
     const fileName mesh = time.path()/time.constant()/polyMesh::meshSubDir;
-    for (const fileName& file : {mesh/"points", mesh/"boundary"}) checkNumbersIn(file);
+    for (const fileName& file : {mesh/"points", mesh/"boundary"}) checkFieldText(file);
     checkFolder(time.timePath());
 }
 

@@ -17,10 +17,6 @@ namespace Foam
 namespace nscdCoupling
 {
 
-namespace
-{
-
-/// Empty while it cannot be read: somebody may be writing it, and OpenFOAM says so when it comes to that.
 dictionary readIfWhole(const fileName& file)
 {
     const ThrowingErrors throwing;
@@ -35,8 +31,6 @@ dictionary readIfWhole(const fileName& file)
         return dictionary();
     }
 }
-
-} // namespace
 
 
 ControlEdits::ControlEdits(const Time& time)

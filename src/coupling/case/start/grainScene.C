@@ -9,6 +9,7 @@
 #include "coupling/case/start/initialChecks.H"
 #include "coupling/case/walls/meshWalls.H"
 
+#include "input/dictionary/quantity.hpp"
 #include "input/scene/materialReader.hpp"
 #include "input/start/placement.hpp"
 
@@ -67,6 +68,11 @@ vector readGravity(const Time& time)
             placeInDictionaryFile(g.objectPath(), "dimensions"), "has wrong dimensions",
             messageText(g.dimensions()), "[0 1 -2 0 0 0 0]"
         });
+    }
+    if (!(cmptMax(cmptMag(g.value())) <= input::largestNumber))
+    {
+        const string allowed = messageText("numbers up to ", input::largestNumber);
+        fail({placeInDictionaryFile(g.objectPath(), "value"), "is too large", messageText(g.value()), allowed});
     }
     return g.value();
 }

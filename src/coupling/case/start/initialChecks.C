@@ -97,9 +97,15 @@ void checkTimeControls(const dictionary& controlDict)
     const input::Range duration = input::above(0, input::unit::time);
     toldByFoam([&]
     {
+        control.refuseMisspelt({"deltaT", "endTime", "writeInterval", "adjustTimeStep", "maxCo", "maxDeltaT"});
         control.number("deltaT", duration);
-        if (control.found("endTime")) control.number("endTime", input::anyNumber(input::unit::time));
-        if (control.found("writeInterval")) control.number("writeInterval", duration);
+        const scalar end = control.number("endTime", input::anyNumber(input::unit::time), 0);
+        const scalar interval = control.number("writeInterval", duration, GREAT);
+        const bool countsSteps = !control.found("writeControl") || control.text("writeControl") == "timeStep";
+        if (!countsSteps && end/interval > labelMax)
+        {
+            control.reject("writeInterval", "makes more written times than can be counted", input::textOf("at least ", end/labelMax));
+        }
         if (control.flag("adjustTimeStep", false))
         {
             control.number("maxCo", input::above(0), 1);

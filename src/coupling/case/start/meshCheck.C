@@ -7,6 +7,9 @@
 #include "coupling/case/input/inputError.H"
 
 #include "input/dictionary/quantity.hpp"
+#include "input/dictionary/withoutTraps.hpp"
+
+#include "OSspecific.H"
 
 namespace Foam
 {
@@ -86,8 +89,15 @@ void checkPatches(const polyMesh& mesh)
     if (next != mesh.nFaces()) refuse(mesh, "boundary", messageText("does not end at the last of ", mesh.nFaces(), " faces"), messageText(next));
 }
 
-} // namespace
-
+/// OpenFOAM takes a mesh without owners for one without cells.
+void checkFilesAreThere(const Time& time)
+{
+    const fileName folder = time.path()/time.findInstance(polyMesh::meshSubDir, "faces")/polyMesh::meshSubDir;
+    for (const word name : {"owner", "neighbour"})
+    {
+        if (!isFile(folder/name)) fail({placeInFile(folder/name, name), "is missing", "", "the files of one mesh, whole"});
+    }
+}
 
 void checkMeshFiles(const polyMesh& mesh)
 {
@@ -95,6 +105,33 @@ void checkMeshFiles(const polyMesh& mesh)
     checkFaces(mesh);
     checkCells(mesh);
     checkPatches(mesh);
+}
+
+} // namespace
+
+
+autoPtr<fvMesh> readMesh(const Time& time)
+{
+    // Cells without volume and points without end raise floating-point exceptions before anybody can look at them.
+    const input::WithoutTraps traps;
+    checkFilesAreThere(time);
+    try
+    {
+        auto mesh = autoPtr<fvMesh>::New(IOobject(fvMesh::defaultRegion, time.timeName(), time, IOobject::MUST_READ));
+        checkMeshFiles(*mesh);
+        return mesh;
+    }
+    catch (const IOerror&)
+    {
+        throw;
+    }
+    catch (const Foam::error& error)
+    {
+        const fileName folder = time.path()/time.constant()/polyMesh::meshSubDir;
+        // It may as well be about fvSchemes or fvSolution, which it then names.
+        if (error.message().find(time.path()) != std::string::npos) throw;
+        fail({placeInFile(folder, polyMesh::meshSubDir), "cannot be used: " + error.message(), "", "the files of one mesh, whole"});
+    }
 }
 
 } // namespace nscdCoupling

@@ -56,17 +56,35 @@ void checkSizes(const fileName& file, const string& where, const Values& values)
 }
 
 template<class Field>
-void checkField(const fvMesh& mesh, const word& name, const dimensionSet& dimensions, const string& unit)
+Field checkField(const fvMesh& mesh, const word& name, const dimensionSet& dimensions, const string& unit)
 {
     const Field field(IOobject(name, mesh.time().timeName(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false), mesh);
     checkSizes(field.objectPath(), "internalField", field.primitiveField());
     for (const auto& patch : field.boundaryField()) checkSizes(field.objectPath(), patch.patch().name(), patch);
-    if (field.dimensions() == dimensions) return;
+    if (field.dimensions() == dimensions) return field;
     fail
     ({
         placeOfLine(field.objectPath(), "dimensions"), "are wrong for " + name, messageText(field.dimensions()),
         messageText(dimensions, ": ", name, " is in ", unit.c_str())
     });
+}
+
+/// A quantity of turbulence models, where this case has it.
+void checkTransported(const fvMesh& mesh, const word& name, const dimensionSet& dimensions, const string& unit)
+{
+    IOobject file(name, mesh.time().timeName(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    if (!file.typeHeaderOk<volScalarField>(true)) return;
+    const volScalarField field = checkField<volScalarField>(mesh, name, dimensions, unit);
+    const scalar least = gMin(field.primitiveField());
+    // OpenFOAM raises them to round-off, which makes an eddy viscosity without end.
+    if (least < 0) fail({placeOfLine(field.objectPath(), "internalField"), "holds a negative number", messageText(least), "numbers >= 0"});
+}
+
+/// Files that turbulenceProperties does not ask for may be left from another run.
+bool isTurbulent(const Time& time)
+{
+    const IOobject file("turbulenceProperties", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    return IOdictionary(file).getOrDefault<word>("simulationType", "laminar") != "laminar";
 }
 
 void checkTimeScheme(const fvMesh& mesh, const word& name)
@@ -115,6 +133,31 @@ void checkSolver(const fvMesh& mesh, const word& field, const Table& known)
     fail({placeOf(dict, "solver"), "is unknown, or not for this equation", type, string::null, toWords(known.sortedToc())});
 }
 
+/// OpenFOAM takes any whole number; without a pressure correction nothing is solved.
+void checkPimple(const fvMesh& mesh)
+{
+    const input::Dictionary solution = valuesFromFoam(mesh.solutionDict());
+    const input::CheckedEntries all(solution);
+    toldByFoam([&]
+    {
+        all.refuseMisspelt({"PIMPLE"});
+        all.subOrEmpty("PIMPLE");
+    });
+    const input::Dictionary entries = valuesFromFoam(mesh.solutionDict().subOrEmptyDict("PIMPLE"));
+    const input::CheckedEntries given(entries);
+    toldByFoam([&]
+    {
+        given.refuseMisspelt
+        ({
+            "nOuterCorrectors", "nCorrectors", "nNonOrthogonalCorrectors", "momentumPredictor", "pRefCell", "pRefPoint", "pRefValue",
+            "residualControl", "turbOnFinalIterOnly"
+        });
+        given.integer("nOuterCorrectors", 1, 1);
+        given.integer("nCorrectors", 1, 1);
+        given.integer("nNonOrthogonalCorrectors", 0, 0);
+    });
+}
+
 /// In the last iterations the solvers called are those with "Final" behind the field's name.
 void checkSolvers(const fvMesh& mesh)
 {
@@ -143,6 +186,11 @@ void checkFieldDimensions(const fvMesh& mesh)
 {
     checkField<volVectorField>(mesh, "U", dimVelocity, "m/s");
     checkField<volScalarField>(mesh, "p_rgh", dimPressure, "Pa");
+    if (!isTurbulent(mesh.time())) return;
+    checkTransported(mesh, "k", dimVelocity*dimVelocity, "m2/s2");
+    checkTransported(mesh, "epsilon", dimVelocity*dimVelocity/dimTime, "m2/s3");
+    checkTransported(mesh, "omega", dimless/dimTime, "1/s");
+    checkTransported(mesh, "nut", dimViscosity, "m2/s");
 }
 
 
@@ -163,6 +211,7 @@ void checkTransportProperties(const Time& time)
 
 void checkNumerics(const surfaceScalarField& phi, bool isAveraged)
 {
+    checkPimple(phi.mesh());
     checkSchemes(phi.mesh(), phi, isAveraged);
     checkSolvers(phi.mesh());
 }

@@ -32,7 +32,7 @@ void refuseAny(const IOdictionary& dict, const string& what)
 
 void refuseMovingMesh(const IOdictionary& dict)
 {
-    const word keyword = "dynamicFvMesh", still = "staticFvMesh", type = dict.getOrDefault<word>(keyword, still);
+    const word keyword = "dynamicFvMesh", still = "staticFvMesh", type = dict.getOrDefault<word>(keyword, dict.empty() ? still : word());
     if (type == still) return;
     fail({placeOf(dict, keyword), "moves the mesh, which nscdDEMFoam does not", type, still + ", or no such file"});
 }
