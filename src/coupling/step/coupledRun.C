@@ -9,6 +9,7 @@
 #include "coupling/step/fluidAtGrains.H"
 #include "coupling/step/ownWake.H"
 
+#include "input/dictionary/withoutTraps.hpp"
 #include "input/scene/drivenReader.hpp"
 
 #include <algorithm>
@@ -67,6 +68,7 @@ void CoupledRun::sampleAtGrains(unsigned wanted)
 void CoupledRun::linearizeDrag()
 {
     const auto timer = timing_.time(StepPart::linearizeDrag);
+    const input::WithoutTraps traps;  // the contact solver says in words what is not finite
     const scalar deltaT = time_.deltaTValue();
     step_.predictorSweeps = -1;
     step_.predictorConverged = true;
@@ -145,6 +147,7 @@ void CoupledRun::fluidForces()
 void CoupledRun::advanceGrains()
 {
     const auto timer = timing_.time(StepPart::advanceGrains);
+    const input::WithoutTraps traps;
     if (!hasGrains()) return;
     const label subCycles = properties_.time.subCycles;
     const scalar deltaT = time_.deltaTValue()/subCycles;
@@ -230,6 +233,11 @@ void CoupledRun::depositGrains()
         return;
     }
     updateWeights();
+    removeThoseOutside();
+}
+
+void CoupledRun::removeThoseOutside()
+{
     if (immersion_->mapping->report().outsideMesh.empty()) return;
     removeExited(immersion_->mapping->cells());
     updateWeights();

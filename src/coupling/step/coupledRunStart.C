@@ -109,7 +109,7 @@ void CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
     GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
-    if (isRestart) checkRestart(state.grains, state.numbers.at("time"), scene_, properties_, *ranks_.exchange());
+    if (isRestart) checkRestart(state.grains, state.numbers.at("time"), scene_, properties_, mesh_, *ranks_.exchange());
     toldByFoam([&] { input::holdDriven(properties_.driven, state.grains, *ranks_.exchange(), isRestart && hasExits()); });
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;
     state = ranks_.share(state, {});
@@ -152,6 +152,8 @@ void CoupledRun::startFluid()
     sources.isStatic = hasGrains() && properties_.driven.empty() && areAllFixed(grains, *ranks_.exchange());
     sources.hasResponse = feedsBack() && !sources.isStatic;
     if (hasGrains()) updateWeights();
+    // Text files round positions: what was before an exit may be behind it.
+    if (hasGrains() && !homes_) removeThoseOutside();
     checkFieldDimensions(mesh_);
     checkTransportProperties(time_);
     immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());

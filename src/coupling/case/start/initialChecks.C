@@ -87,6 +87,22 @@ void refuseOverlaps
     toldByFoam([&] { input::refuseOverlaps(std::size_t(number), worst, properties, maxShare); });
 }
 
+void refuseFarOutside(const nscd::Grains& grains, const polyMesh& mesh)
+{
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        const point x = toFoam(grains.position[i]);
+        const vector beyond = max(mesh.bounds().min() - x, x - mesh.bounds().max());
+        if (cmptMax(beyond) <= 2*grains.radius[i]) continue;
+        const fileName file = mesh.time().timePath()/"lagrangian/grains/position";
+        fail
+        ({
+            placeInFile(file, "position"), "puts a grain outside the mesh", messageText("grain ", label(grains.id[i]), " at ", x),
+            messageText("positions inside the mesh, bounded by ", mesh.bounds())
+        });
+    }
+}
+
 } // namespace
 
 
@@ -212,9 +228,11 @@ void checkOverlaps
 
 void checkRestart
 (
-    const nscd::Grains& grains, scalar time, const GrainScene& scene, const GrainProperties& properties, nscd::Exchange& exchange
+    const nscd::Grains& grains, scalar time, const GrainScene& scene, const GrainProperties& properties, const polyMesh& mesh,
+    nscd::Exchange& exchange
 )
 {
+    if (properties.solvesFluid) refuseFarOutside(grains, mesh);
     nscd::Walls walls = scene.walls;
     nscd::moveWalls(walls, time);
     refuseOverlaps(grains, scene.box, walls, properties, input::maxOverlapOfRestart(properties), exchange);

@@ -9,7 +9,7 @@
 #include "input/dictionary/quantity.hpp"
 #include "input/dictionary/withoutTraps.hpp"
 
-#include "OSspecific.H"
+#include "labelIOList.H"
 
 namespace Foam
 {
@@ -89,13 +89,17 @@ void checkPatches(const polyMesh& mesh)
     if (next != mesh.nFaces()) refuse(mesh, "boundary", messageText("does not end at the last of ", mesh.nFaces(), " faces"), messageText(next));
 }
 
+fileName meshFolder(const Time& time) { return time.path()/time.findInstance(polyMesh::meshSubDir, "faces")/polyMesh::meshSubDir; }
+
 /// OpenFOAM takes a mesh without owners for one without cells.
 void checkFilesAreThere(const Time& time)
 {
-    const fileName folder = time.path()/time.findInstance(polyMesh::meshSubDir, "faces")/polyMesh::meshSubDir;
     for (const word name : {"owner", "neighbour"})
     {
-        if (!isFile(folder/name)) fail({placeInFile(folder/name, name), "is missing", "", "the files of one mesh, whole"});
+        IOobject file(name, time.findInstance(polyMesh::meshSubDir, "faces"), polyMesh::meshSubDir, time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+        if (file.typeHeaderOk<labelIOList>(true)) continue;
+        const fileName path = meshFolder(time)/name;
+        fail({placeInFile(path, name), "is missing or has no header", "", "the files of one mesh, whole"});
     }
 }
 
@@ -115,23 +119,10 @@ autoPtr<fvMesh> readMesh(const Time& time)
     // Cells without volume and points without end raise floating-point exceptions before anybody can look at them.
     const input::WithoutTraps traps;
     checkFilesAreThere(time);
-    try
-    {
-        auto mesh = autoPtr<fvMesh>::New(IOobject(fvMesh::defaultRegion, time.timeName(), time, IOobject::MUST_READ));
-        checkMeshFiles(*mesh);
-        return mesh;
-    }
-    catch (const IOerror&)
-    {
-        throw;
-    }
-    catch (const Foam::error& error)
-    {
-        const fileName folder = time.path()/time.constant()/polyMesh::meshSubDir;
-        // It may as well be about fvSchemes or fvSolution, which it then names.
-        if (error.message().find(time.path()) != std::string::npos) throw;
-        fail({placeInFile(folder, polyMesh::meshSubDir), "cannot be used: " + error.message(), "", "the files of one mesh, whole"});
-    }
+    const IOobject region(fvMesh::defaultRegion, time.timeName(), time, IOobject::MUST_READ);
+    auto mesh = toldWithFile(meshFolder(time), time.path(), [&] { return autoPtr<fvMesh>::New(region); });
+    checkMeshFiles(*mesh);
+    return mesh;
 }
 
 } // namespace nscdCoupling

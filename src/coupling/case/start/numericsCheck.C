@@ -58,7 +58,8 @@ void checkSizes(const fileName& file, const string& where, const Values& values)
 template<class Field>
 Field checkField(const fvMesh& mesh, const word& name, const dimensionSet& dimensions, const string& unit)
 {
-    const Field field(IOobject(name, mesh.time().timeName(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false), mesh);
+    const IOobject file(name, mesh.time().timeName(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    const Field field = toldWithFile(file.objectPath(), file.path(), [&] { return Field(file, mesh); });
     checkSizes(field.objectPath(), "internalField", field.primitiveField());
     for (const auto& patch : field.boundaryField()) checkSizes(field.objectPath(), patch.patch().name(), patch);
     if (field.dimensions() == dimensions) return field;
@@ -70,14 +71,14 @@ Field checkField(const fvMesh& mesh, const word& name, const dimensionSet& dimen
 }
 
 /// A quantity of turbulence models, where this case has it.
-void checkTransported(const fvMesh& mesh, const word& name, const dimensionSet& dimensions, const string& unit)
+void checkTransported(const fvMesh& mesh, const word& name, const dimensionSet& dimensions, const string& unit, const input::Range& range)
 {
     IOobject file(name, mesh.time().timeName(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false);
     if (!file.typeHeaderOk<volScalarField>(true)) return;
     const volScalarField field = checkField<volScalarField>(mesh, name, dimensions, unit);
     const scalar least = gMin(field.primitiveField());
-    // OpenFOAM raises them to round-off, which makes an eddy viscosity without end.
-    if (least < 0) fail({placeOfLine(field.objectPath(), "internalField"), "holds a negative number", messageText(least), "numbers >= 0"});
+    // OpenFOAM raises negative ones to round-off, which makes an eddy viscosity without end, and divides by zero.
+    if (!range.contains(least)) fail({placeOfLine(field.objectPath(), "internalField"), "is out of range", messageText(least), range.describe()});
 }
 
 /// Files that turbulenceProperties does not ask for may be left from another run.
@@ -187,10 +188,10 @@ void checkFieldDimensions(const fvMesh& mesh)
     checkField<volVectorField>(mesh, "U", dimVelocity, "m/s");
     checkField<volScalarField>(mesh, "p_rgh", dimPressure, "Pa");
     if (!isTurbulent(mesh.time())) return;
-    checkTransported(mesh, "k", dimVelocity*dimVelocity, "m2/s2");
-    checkTransported(mesh, "epsilon", dimVelocity*dimVelocity/dimTime, "m2/s3");
-    checkTransported(mesh, "omega", dimless/dimTime, "1/s");
-    checkTransported(mesh, "nut", dimViscosity, "m2/s");
+    checkTransported(mesh, "k", dimVelocity*dimVelocity, "m2/s2", input::atLeast(0));
+    checkTransported(mesh, "epsilon", dimVelocity*dimVelocity/dimTime, "m2/s3", input::above(0));
+    checkTransported(mesh, "omega", dimless/dimTime, "1/s", input::above(0));
+    checkTransported(mesh, "nut", dimViscosity, "m2/s", input::atLeast(0));
 }
 
 
