@@ -118,6 +118,7 @@ TEST(Program, stopsAtMisspeltControlsOfTheFluid)
     {
         return isRefusedWith("system/fvSolution", with(solutionWith(2), "nCorrectors 2;", control), pieces);
     };
+    EXPECT_TRUE(isRefusedWith("system/fvSolution", with(solutionWith(2), "solvers", "solvres"), {"fvSolution", "solvres", "nearest: solvers"}));
     EXPECT_TRUE(isRefusedWith("system/fvSolution", with(solutionWith(2), "PIMPLE", "PMIPLE"), {"fvSolution", "PMIPLE", "nearest: PIMPLE"}));
     EXPECT_TRUE(isRefusedWith("system/fvSolution", with(solutionWith(2), "PIMPLE", "PIMPLE 5; other"), {"fvSolution", "PIMPLE is not a dictionary"}));
     EXPECT_TRUE(isRefusedWithControl("ommentumPredictor no;", {"fvSolution", "ommentumPredictor", "nearest: momentumPredictor"}));

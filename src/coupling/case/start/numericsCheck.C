@@ -134,16 +134,22 @@ void checkSolver(const fvMesh& mesh, const word& field, const Table& known)
     fail({placeOf(dict, "solver"), "is unknown, or not for this equation", type, string::null, toWords(known.sortedToc())});
 }
 
+/// What fvSolution must have, and what it may.
+void checkSolution(const fvMesh& mesh)
+{
+    const input::Dictionary entries = valuesFromFoam(mesh.solutionDict());
+    const input::CheckedEntries given(entries);
+    toldByFoam([&]
+    {
+        given.sub("solvers");
+        given.refuseMisspelt({"PIMPLE"});
+        given.subOrEmpty("PIMPLE");
+    });
+}
+
 /// OpenFOAM takes any whole number; without a pressure correction nothing is solved.
 void checkPimple(const fvMesh& mesh)
 {
-    const input::Dictionary solution = valuesFromFoam(mesh.solutionDict());
-    const input::CheckedEntries all(solution);
-    toldByFoam([&]
-    {
-        all.refuseMisspelt({"PIMPLE"});
-        all.subOrEmpty("PIMPLE");
-    });
     const input::Dictionary entries = valuesFromFoam(mesh.solutionDict().subOrEmptyDict("PIMPLE"));
     const input::CheckedEntries given(entries);
     toldByFoam([&]
@@ -212,6 +218,7 @@ void checkTransportProperties(const Time& time)
 
 void checkNumerics(const surfaceScalarField& phi, bool isAveraged)
 {
+    checkSolution(phi.mesh());
     checkPimple(phi.mesh());
     checkSchemes(phi.mesh(), phi, isAveraged);
     checkSolvers(phi.mesh());
