@@ -6,6 +6,7 @@
 
 #include "unit/nscd/scenes/impulseBalance.hpp"
 #include "unit/nscd/scenes/naturalMap.hpp"
+#include "unit/nscd/scenes/shots.hpp"
 
 #include <gtest/gtest.h>
 
@@ -317,6 +318,28 @@ TEST(Ranks, contactsHoldAllThatGrainsGetReboundsIncluded)
             const nscd::Grains after = run.gatherGrains();
             const std::vector<Vec3> impulses = sumOfImpulses(run.gatherContacts(), before.size());
             ASSERT_LT(worstImbalance(before, after, impulses, scene.g, deltaT, [](std::size_t) { return true; }), 1e-11) << cut.name << ", step " << k;
+        }
+    }
+}
+
+TEST(Ranks, aVolleyStaysOnItsSideOfAWavySheet)
+{
+    Scene scene(3, 0.3, 0.5);
+    scene.walls.addTriangles(scene.walls.addPatch("sheet", 1), wavySheet(60));
+    for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 12; ++j)
+    {
+        scene.addGrain(Vec3(0.012*(i - 5.5), 0.012*(j - 5.5), 0.05), 0.0025);
+        scene.grains.velocity.back() = Vec3(0, 0, -100);
+    }
+    for (const OwnerOf& ownerOf : {OwnerOf([](const Vec3&, std::int64_t id) { return static_cast<int>((id*7919) % ranks()); }),
+                                   OwnerOf([](const Vec3&, std::int64_t) { return ranks() - 1; })})
+    {
+        RankedScene run(scene, nscd::ContactSettings(), ownerOf);
+        for (int k = 0; k < 3; ++k)
+        {
+            step(run.dynamics(), scene.g, deltaT);
+            for (const Vec3& x : run.gatherGrains().position) EXPECT_GT(x[2], waveHeight(x)) << k;
         }
     }
 }
