@@ -16,6 +16,34 @@ namespace nscd
 namespace
 {
 
+constexpr double never = 2.0;
+
+/// Two bodies that are no nearer than touching, to within a tolerance.
+struct Touch
+{
+    double radii;
+    double margin;   ///< as along walls: what touches to within the tolerance of contacts may pass
+
+    Touch(const ContactList& list, int a, int b, double tolerance)
+    :
+        radii(list.radius[a] + list.radius[b]),
+        margin(std::min(tolerance, 0.1*std::min(list.radius[a], list.radius[b])))
+    {}
+};
+
+/// The time between `from` and `to`, shares of the step, at which a body that goes on by `way` a step has to stop, since it touches the origin's;
+/// `start`: where it is at `from`.
+double timeOfTouch(const Vec3& start, const Vec3& way, double from, double to, const Touch& touch)
+{
+    if (!(from < to)) return never;
+    const double radii = touch.radii - touch.margin;
+    if (start.squaredNorm() <= radii*radii) return start.dot(way) < 0.0 ? from : never;
+    const double share = timeToOrigin(start, (to - from)*way, radii);
+    if (share > 1.0) return never;
+    const double along = share*(to - from), back = touch.margin/std::abs((start + along*way).normalized().dot(way));
+    return std::max(from, from + along - back);
+}
+
 /// Part of a body's way between two times, as shares of the step.
 struct Piece
 {
@@ -100,29 +128,16 @@ private:
     void stopOn(const Piece& piece, const Vec3& middle, const Stop& before)
     {
         const double from = std::max(piece.from, before.time), to = std::min(piece.to, timeOf(piece.body));
-        if (!(from < to)) return;
         const Vec3 way = wayOf(piece.body), start = middle + (from - 0.5*(piece.from + piece.to))*way;
-        const double smaller = std::min(list_.radius[piece.body], list_.radius[before.body]), margin = std::min(tolerance_, 0.1*smaller);
-        const double radii = list_.radius[piece.body] + list_.radius[before.body] - margin;
-        const bool isTouching = start.squaredNorm() <= radii*radii && start.dot(way) < 0.0;
-        const double time = isTouching ? 0.0 : timeToOrigin(start, (to - from)*way, radii);
-        if (time > 1.0) return;
-        const double there = from + time*(to - from);
-        const double back = margin/std::abs((start + (there - from)*way).normalized().dot(way));
-        setStop(piece.body, std::max(from, there - (isTouching ? 0.0 : back)));
-    }
-
-    void setStop(int body, double time)
-    {
-        if (stopOf_[body] < 0)
+        const double time = timeOfTouch(start, way, from, to, Touch(list_, piece.body, before.body, tolerance_));
+        if (time == never) return;
+        if (stopOf_[piece.body] < 0)
         {
-            stopOf_[body] = static_cast<int>(stops_.size());
-            stops_.push_back({body, 0.0, Vec3::Zero()});
+            stopOf_[piece.body] = static_cast<int>(stops_.size());
+            stops_.push_back({piece.body, time, Vec3::Zero()});
         }
-        Stop& stop = stops_[stopOf_[body]];
-        stop.time = time;
-        stop.way = time*wayOf(body);
-        next_.push({time, body});
+        stops_[stopOf_[piece.body]] = {piece.body, time, time*way};
+        next_.push({time, piece.body});
     }
 
     using Entry = std::pair<double, int>;   ///< time, body
@@ -140,11 +155,67 @@ private:
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> next_;
 };
 
+/// What ranks know of each other's bodies, per body of the list.
+struct WaysOnRanks
+{
+    std::vector<Vec3> way;     ///< of the whole step [m]
+    std::vector<Vec3> end;     ///< way to where it stops [m]
+    std::vector<Vec3> time;    ///< of its stop, thrice
+
+    WaysOnRanks(const ContactList& list, double deltaT, const std::vector<Stop>& stops)
+    :
+        way(list.halo.bodies(), Vec3::Zero()),
+        time(list.halo.bodies(), Vec3::Constant(never))
+    {
+        for (int body = 0; body < list.owned(); ++body) way[body] = deltaT*Vec3(list.bodies[body].v);
+        end = way;
+        for (const Stop& stop : stops)
+        {
+            end[stop.body] = stop.way;
+            time[stop.body].setConstant(stop.time);
+        }
+        for (std::vector<Vec3>* values : {&way, &end, &time}) list.halo.give(*values);
+    }
+};
+
 } // namespace
+
+bool stopBehindOtherRanks(const ContactList& list, const PeriodicBox& box, double deltaT, double tolerance, std::vector<Stop>& stops)
+{
+    if (!list.halo.isParallel()) return false;
+    const WaysOnRanks known(list, deltaT, stops);
+    std::vector<double> time(list.halo.bodies(), never);
+    const auto stopBehind = [&](int body, int stopped, const Vec3& x)
+    {
+        const double from = known.time[stopped][0], to = std::min(1.0, known.time[body][0]);
+        if (list.inverseMass[body] == 0.0) return;
+        const double touch = timeOfTouch(x + from*known.way[body] - known.end[stopped], known.way[body], from, to, Touch(list, body, stopped, tolerance));
+        time[body] = std::min(time[body], touch);
+    };
+    for (std::size_t slot = list.interfaceBlock*blockLanes; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot)) continue;
+        const int a = list.blocks[slot/blockLanes].a[slot % blockLanes], b = list.blocks[slot/blockLanes].b[slot % blockLanes];
+        Vec3 x = list.position[a] - list.position[b];
+        for (int axis = 0; axis < 3; ++axis) x[axis] -= list.image[slot][axis]*box.length[axis];
+        stopBehind(a, b, x);
+        stopBehind(b, a, -x);
+    }
+    list.halo.takeSmallest(time);
+    std::vector<Stop> found;
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        if (time[body] < never) found.push_back({body, time[body], time[body]*known.way[body]});
+    }
+    const auto isEarlier = [&](const Stop& stop) { return time[stop.body] < never; };
+    stops.erase(std::remove_if(stops.begin(), stops.end(), isEarlier), stops.end());
+    stops.insert(stops.end(), found.begin(), found.end());
+    return list.halo.any(!found.empty());
+}
 
 void addQueue(const ContactList& list, const PeriodicBox& box, double deltaT, double tolerance, std::vector<Stop>& stops)
 {
-    Queue(list, box, deltaT, tolerance, stops).run();
+    if (!stops.empty()) Queue(list, box, deltaT, tolerance, stops).run();
 }
 
 bool fliesAlone(const ContactList& list, int body)

@@ -17,6 +17,10 @@ namespace nscd
 /// Cost:     linear in the number of bodies and the lengths of their ways.
 void addQueue(const ContactList& list, const PeriodicBox& box, double deltaT, double tolerance, std::vector<Stop>& stops);
 
+/// On several ranks: makes own bodies stop behind those of other ranks, and tells other ranks of theirs. Returns whether any had to, on any rank:
+/// then others may have to stop behind them.
+bool stopBehindOtherRanks(const ContactList& list, const PeriodicBox& box, double deltaT, double tolerance, std::vector<Stop>& stops);
+
 /// Whether a body moves by itself: neither held nor a member of a clump.
 bool fliesAlone(const ContactList& list, int body);
 

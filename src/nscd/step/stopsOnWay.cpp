@@ -224,9 +224,14 @@ std::vector<Stop> findStops(const ContactList& list, const WallsOfStep& walls, d
         const WallOnWay first = lookout.firstOnWay(list.position[body], way, list.radius[body]);
         if (first.time <= 1.0) stops.push_back({body, first.time, first.held});
     }
-    if (stops.empty()) return stops;
+    if (!list.halo.any(!stops.empty())) return stops;
     for (Stop& stop : stops) lookout.takeAlong(list, stop);
     addQueue(list, walls.scene.box, deltaT, walls.tolerance, stops);
+    constexpr int mostRounds = 16;
+    for (int k = 0; k < mostRounds && stopBehindOtherRanks(list, walls.scene.box, deltaT, walls.tolerance, stops); ++k)
+    {
+        addQueue(list, walls.scene.box, deltaT, walls.tolerance, stops);
+    }
     for (Stop& stop : stops) lookout.takeAlong(list, stop);
     return stops;
 }

@@ -43,7 +43,7 @@ bool areAnyFast(const Grains& grains, const std::vector<double>& reach, const st
 /// Planes, and groups of few regions, are seen by all: these make most boxes, and what is listed is met at the right time within the step.
 std::vector<double> reachesToMany(const Grains& grains, const WallSearch& search, const std::vector<double>& speed, double deltaT, double reachAtRest);
 
-/// The own bodies that stop in this step, with their present velocities.
+/// The own bodies that stop in this step, with their present velocities. All ranks together.
 std::vector<Stop> findStops(const ContactList& list, const WallsOfStep& walls, double deltaT);
 
 /// Whether a grain that sees only near walls has come to some that the list may not have.

@@ -62,6 +62,20 @@ inline std::vector<nscd::Triangle> ball(int times)
     return triangles;
 }
 
+/// 144 spheres of 5 mm at 100 m/s, above a sheet of 7200 triangles.
+inline Scene volleyAtSheet()
+{
+    Scene scene(3, 0.3, 0.5);
+    scene.walls.addTriangles(scene.walls.addPatch("sheet", 1), wavySheet(60));
+    for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 12; ++j)
+    {
+        scene.addGrain(Vec3(0.012*(i - 5.5), 0.012*(j - 5.5), 0.05), 0.0025);
+        scene.grains.velocity.back() = Vec3(0, 0, -100);
+    }
+    return scene;
+}
+
 enum class Surface { octahedron, coarseBall, fineBall, oneSidedBall, polygonBox, movingBall, turningBall };
 
 inline std::vector<Surface> allSurfaces()

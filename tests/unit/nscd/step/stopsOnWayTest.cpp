@@ -45,11 +45,7 @@ void addShot(Scene& scene, const Vec3& x, double radius, const Vec3& v)
 
 TEST(StopsOnWay, holdAVolleyAtAWavySheet)
 {
-    // 144 spheres of 5 mm at 100 m/s, onto a sheet of 7200 triangles.
-    Scene scene(3, 0.3, 0.5);
-    scene.walls.addTriangles(scene.walls.addPatch("sheet", 1), wavySheet(60));
-    for (int i = 0; i < 12; ++i)
-    for (int j = 0; j < 12; ++j) addShot(scene, Vec3(0.012*(i - 5.5), 0.012*(j - 5.5), 0.05), 0.0025, Vec3(0, 0, -100));
+    const Scene scene = volleyAtSheet();
     auto dynamics = scene.build(nscd::ContactSettings());
     std::size_t stopped = 0;
     for (int k = 0; k < 5; ++k)
