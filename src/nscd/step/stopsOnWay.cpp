@@ -4,7 +4,9 @@
 // Ways of fast grains, and the walls on them.
 #include "nscd/step/stopsOnWay.hpp"
 
+#include "nscd/search/wallHit.hpp"
 #include "nscd/step/stopQueue.hpp"
+#include "nscd/step/stopsBetweenRanks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -85,9 +87,21 @@ double timeOfExit(const PeriodicBox& box, const Vec3& x, const Vec3& way, double
 /// The first wall on a way, and the way to where it is touched and with the wall on from there.
 struct WallOnWay
 {
-    double time = 2.0;
+    double time = never;
+    int group = -1;
     Vec3 held = Vec3::Zero();
 };
+
+/// Of each group.
+std::vector<StepFrame> framesOf(const WallSearch& search, const std::vector<GroupMotion>& motions)
+{
+    std::vector<StepFrame> frames(search.groups());
+    for (const GroupMotion& motion : motions)
+    {
+        if (motion.way > 0.0) frames[motion.group] = {true, motion.next*motion.now.inverse(), motion.now*motion.next.inverse()};
+    }
+    return frames;
+}
 
 /// Looks along the ways of grains. They are a little smaller there: what touches a wall, to within the tolerance of contacts, may glide along it.
 class Lookout
@@ -121,6 +135,7 @@ public:
             const WallOnWay next = firstOnWay(list.position[stop.body], stop.way, list.radius[stop.body]);
             if (next.time > 1.0) return;
             stop.way = next.held;
+            stop.wall = next.group;
         }
     }
 
@@ -141,8 +156,7 @@ private:
             const double time = from + (to - from)*hit.time;
             const double touching = hit.distance < piece.radius ? time : std::max(0.0, time + margin/hit.normal.dot(d));
             if (!(touching < first.time)) continue;
-            first = {touching, motion.isMoving ? Vec3(motion.next*(start + touching*d) - x) : Vec3(touching*way)};
-            if (emptyAxis >= 0) first.held[emptyAxis] = 0.0;
+            first = {touching, motion.group, motion.isMoving ? Vec3(motion.next*(start + touching*d) - x) : Vec3(touching*way)};
         }
         return first;
     }
@@ -222,17 +236,21 @@ std::vector<Stop> findStops(const ContactList& list, const WallsOfStep& walls, d
         const bool isBlind = seesOnlyNear(list, walls, body) && wayFromBuild(list, motions, body, way) > deepest;
         if (!(isFast || isBlind) || !fliesAlone(list, body)) continue;
         const WallOnWay first = lookout.firstOnWay(list.position[body], way, list.radius[body]);
-        if (first.time <= 1.0) stops.push_back({body, first.time, first.held});
+        if (first.time <= 1.0) stops.push_back({body, first.time, first.held, first.group});
     }
     if (!list.halo.any(!stops.empty())) return stops;
     for (Stop& stop : stops) lookout.takeAlong(list, stop);
-    addQueue(list, walls.scene.box, deltaT, walls.tolerance, stops);
+    const std::vector<StepFrame> frames = framesOf(walls.search, motions);
+    const WaysOfStep ways{list, walls.scene.box, frames, deltaT, walls.tolerance};
     constexpr int mostRounds = 16;
-    for (int k = 0; k < mostRounds && stopBehindOtherRanks(list, walls.scene.box, deltaT, walls.tolerance, stops); ++k)
+    addQueue(ways, stops);
+    for (int k = 0; k < mostRounds && stopBehindOtherRanks(ways, stops); ++k) addQueue(ways, stops);
+    const int emptyAxis = walls.scene.grains.shape.emptyAxis;
+    for (Stop& stop : stops)
     {
-        addQueue(list, walls.scene.box, deltaT, walls.tolerance, stops);
+        lookout.takeAlong(list, stop);
+        if (emptyAxis >= 0) stop.way[emptyAxis] = 0.0;
     }
-    for (Stop& stop : stops) lookout.takeAlong(list, stop);
     return stops;
 }
 

@@ -7,7 +7,8 @@
 
 #include "nscd/contacts/contactList.hpp"
 #include "nscd/contacts/movingWalls.hpp"
-#include "nscd/search/wallHit.hpp"
+#include "nscd/search/wallSearch.hpp"
+#include "nscd/step/waysOfStep.hpp"
 
 namespace nscd
 {
@@ -25,14 +26,6 @@ struct WallsOfStep
     const std::vector<double>& reachToMany;  ///< as of reachesToMany()
     double tolerance;                        ///< depth of contacts that are no overlap [m]
     double reachAtRest;                      ///< of grains [m]
-};
-
-/// A body that stops on its way, and keeps its velocity.
-struct Stop
-{
-    int body;
-    double time;    ///< share of the step after which it does not go on
-    Vec3 way;       ///< to where it is at the end of the step [m]
 };
 
 /// Whether any grain may go further than that share relative to walls before the list is stale; on this rank.

@@ -41,6 +41,14 @@ void addShot(Scene& scene, const Vec3& x, double radius, const Vec3& v)
     scene.grains.velocity.back() = v;
 }
 
+double nearestPair(const nscd::Grains& grains)
+{
+    double nearest = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, (grains.position[i] - grains.position[j]).norm());
+    return nearest;
+}
+
 } // namespace
 
 TEST(StopsOnWay, holdAVolleyAtAWavySheet)
@@ -166,6 +174,38 @@ TEST(StopsOnWay, holdThoseBehind)
             for (const Vec3& x : dynamics.grains().position) EXPECT_GT(x[2], 0.99*radius) << speed << ' ' << k;
             EXPECT_LE(nscd::kineticEnergy(dynamics.grains()), (1.0 + 1e-9)*start);
         }
+    }
+}
+
+TEST(StopsOnWay, holdThoseBehindAtWallsThatMove)
+{
+    // A floor that goes by six radii a step, away from the grains, towards them, and turning.
+    constexpr double radius = 0.5e-3;
+    const nscd::WallMotion motions[] =
+    {
+        nscd::translation(Vec3(2, -1, -3)), nscd::translation(Vec3(2, -1, 3)), nscd::rotation(Vec3(0.1, 0, 0), Vec3(1, 2, 3), 30)
+    };
+    for (const nscd::WallMotion& motion : motions)
+    {
+        Scene scene = withTiles(0.0, 0.0);
+        scene.walls.setMotion(0, motion);
+        for (int k = 0; k < 6; ++k) addShot(scene, Vec3(0.001, 0.001, 0.03 + 2.2*k*radius), radius, Vec3(20, -30, -60));
+        auto dynamics = scene.build(nscd::ContactSettings());
+        std::size_t stopped = 0;
+        for (int k = 0; k < 4; ++k)
+        {
+            const nscd::StepReport report = step(dynamics, Vec3::Zero(), deltaT);
+            stopped += report.stoppedOnWay;
+            // Into walls it may be a quarter of a diameter.
+            EXPECT_LT(report.overlapUncorrected, 0.251) << k;
+            if (k == 0)
+            {
+                EXPECT_GT(nearestPair(dynamics.grains()), 1.998*radius);
+            }
+            const nscd::WallPose& pose = dynamics.walls().patches[0].pose;
+            for (const Vec3& x : dynamics.grains().position) EXPECT_GT((pose.inverse()*x)[2], 0.4*radius) << k;
+        }
+        EXPECT_GE(stopped, 6u);
     }
 }
 
