@@ -6,6 +6,7 @@
 
 #include "unit/nscd/scenes/impulseBalance.hpp"
 #include "unit/nscd/scenes/naturalMap.hpp"
+#include "unit/nscd/scenes/shots.hpp"
 
 #include <gtest/gtest.h>
 
@@ -319,4 +320,40 @@ TEST(Ranks, contactsHoldAllThatGrainsGetReboundsIncluded)
             ASSERT_LT(worstImbalance(before, after, impulses, scene.g, deltaT, [](std::size_t) { return true; }), 1e-11) << cut.name << ", step " << k;
         }
     }
+}
+
+TEST(Ranks, aVolleyStaysOnItsSideOfAWavySheet)
+{
+    const Scene scene = volleyAtSheet();
+    for (const OwnerOf& ownerOf : {OwnerOf([](const Vec3&, std::int64_t id) { return static_cast<int>((id*7919) % ranks()); }),
+                                   OwnerOf([](const Vec3&, std::int64_t) { return ranks() - 1; })})
+    {
+        RankedScene run(scene, nscd::ContactSettings(), ownerOf);
+        for (int k = 0; k < 3; ++k)
+        {
+            step(run.dynamics(), scene.g, deltaT);
+            for (const Vec3& x : run.gatherGrains().position) EXPECT_GT(x[2], waveHeight(x)) << k;
+        }
+    }
+}
+
+TEST(Ranks, aRowOfShotsStopsBehindItsFirst)
+{
+    // Seven in a row, each of another rank than the one before, 20 d a step onto a sheet; and the same on one rank.
+    Scene scene(3, 0.3, 0.5);
+    scene.walls.addTriangles(scene.walls.addPatch("sheet", 1), wavySheet(60));
+    for (int k = 0; k < 7; ++k)
+    {
+        scene.addGrain(Vec3(0.001, 0.002, 0.03 + 0.0055*k), 0.0025);
+        scene.grains.velocity.back() = Vec3(0, 0, -100);
+    }
+    RankedScene run(scene, nscd::ContactSettings(), [](const Vec3&, std::int64_t id) { return static_cast<int>(id % ranks()); });
+    auto alone = scene.build(nscd::ContactSettings());
+    const nscd::StepReport report = step(run.dynamics(), scene.g, deltaT), expected = step(alone, scene.g, deltaT);
+    EXPECT_EQ(report.stoppedOnWay, 7u);
+    EXPECT_EQ(expected.stoppedOnWay, 7u);
+    const nscd::Grains all = run.gatherGrains();
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_LT((all.position[i] - alone.grains().position[i]).norm(), 1e-12) << i;
+    for (int k = 0; k < 5; ++k) step(run.dynamics(), scene.g, deltaT);
+    for (const Vec3& x : run.gatherGrains().position) EXPECT_GT(x[2], waveHeight(x));
 }

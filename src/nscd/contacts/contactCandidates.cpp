@@ -21,6 +21,9 @@ namespace
 /// time: in a collapse 52 000 are loaded, of which 1 in 100 begins more than 0.01 apart; 70 000 are within the first share, 91 000 within the second.
 constexpr std::array<double, 2> nearShares = {0.02, 0.1};
 
+/// A list that grows with the square of the number of grains would take memory and time without end.
+std::size_t mostPairs(std::size_t bodies) { return std::max<std::size_t>(1000000, 1000*bodies); }
+
 /// All contacts between two ranks are solved by the same one, so that most bodies are moved by one rank at a time; by the
 /// lower one where the sum of the two is even, so that each rank gets about half of its neighbors.
 bool isSolvedHere(int here, int other) { return ((here + other) % 2 == 0) == (here < other); }
@@ -41,7 +44,10 @@ std::vector<Vec3> placesOf(const Vec3& x, double reach, const PeriodicBox& box)
 }
 
 /// Walls near each body, as candidates that follow the body's pairs.
-std::vector<Candidate> findWalls(const ContactList& list, const std::vector<double>& reach, const WallSearch& search, const PeriodicBox& box)
+std::vector<Candidate> findWalls
+(
+    const ContactList& list, const std::vector<double>& reach, const std::vector<double>& reachToMany, const WallSearch& search, const PeriodicBox& box
+)
 {
     std::vector<Candidate> found;
     std::vector<double> patchReach;
@@ -52,7 +58,13 @@ std::vector<Candidate> findWalls(const ContactList& list, const std::vector<doub
         if (list.inverseMass[body] == 0.0) continue;
         regions.clear();
         const std::vector<Vec3> places = placesOf(list.position[body], reach[body], box);
-        for (const Vec3& place : places) search.find(place, list.radius[body] + reach[body], regions, patchReach);
+        const double distance = list.radius[body] + reach[body];
+        const bool seesOnlyNear = !reachToMany.empty() && std::isfinite(reachToMany[list.grainOf[body]]);
+        for (const Vec3& place : places)
+        {
+            if (seesOnlyNear) search.findNear(place, distance, list.radius[body] + reachToMany[list.grainOf[body]], regions, patchReach);
+            else search.find(place, distance, regions, patchReach);
+        }
         if (places.size() > 1)
         {
             std::sort(regions.begin(), regions.end());
@@ -127,15 +139,15 @@ bool mayMeet(const ContactList& list, const Candidate& pair, const PeriodicBox& 
 Candidates findCandidates
 (
     ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
-    const WallSearch& wallSearch
+    const WallSearch& wallSearch, const std::vector<double>& reachToMany
 )
 {
     const double range = rangeOfLaws(scene.materials);
     const double largest = list.radius.empty() ? 0.0 : *std::max_element(list.radius.begin(), list.radius.end());
     const bool arePathsKnown = !list.path.empty();
     const SearchSpheres spheres = arePathsKnown ? spheresOnPaths(list, scene.box, range) : spheresAtBodies(list, reach);
-    const std::vector<BodyPair>& pairs = list.search.find(spheres.center, spheres.size, scene.box, largest);
-    const std::vector<Candidate> walls = findWalls(list, reach, wallSearch, scene.box);
+    const std::vector<BodyPair>& pairs = list.search.find(spheres.center, spheres.size, scene.box, largest, mostPairs(spheres.center.size()));
+    const std::vector<Candidate> walls = findWalls(list, reach, reachToMany, wallSearch, scene.box);
 
     Candidates found;
     found.inner.reserve(pairs.size() + walls.size());

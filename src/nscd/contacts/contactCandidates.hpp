@@ -21,13 +21,13 @@ struct Candidates
 };
 
 /// The list's position, radius and `reach` are those of own bodies and of ghosts; walls have `b` = -1. The list's search is used.
-/// Where paths are expected there are no ghosts.
+/// Where paths are expected there are no ghosts. `reachToMany`: of ExpectedMotion.
 /// Cost: linear in the number of bodies for any size distribution (one grid per octave of radius + reach).
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 Candidates findCandidates
 (
     ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
-    const WallSearch& wallSearch
+    const WallSearch& wallSearch, const std::vector<double>& reachToMany
 );
 
 /// Packs candidates into blocks, near ones into blocks of their own, so that blocks of far ones can be left out of sweeps.

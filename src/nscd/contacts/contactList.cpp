@@ -232,7 +232,7 @@ ContactList buildContactList
     const double range = rangeOfLaws(scene.materials);
     if (range > 0.0) std::for_each(list.reach.begin(), list.reach.end(), [range](double& r) { r -= range; });
     setPaths(list, expected);
-    Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene, wallSearch);
+    Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene, wallSearch, expected.reachToMany);
     if (exchange.isParallel())
     {
         dropGhosts(list);

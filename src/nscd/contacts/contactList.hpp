@@ -122,6 +122,8 @@ struct ExpectedMotion
 {
     std::vector<Vec3> velocity;   ///< of each grain, or empty [m/s]
     double time = 0.0;            ///< [s]
+    /// Of each grain, how far away walls of many regions are listed, if not as far as its reach and the walls' (infinite) [m]; empty: all are.
+    std::vector<double> reachToMany;
 };
 
 /// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].

@@ -35,6 +35,9 @@ public:
     /// as large as the grain and turns with the wall, in 2D about the empty axis alone; its surface has the wall's velocity.
     void setVelocities(ContactList& list, const PeriodicBox& box, int emptyAxis) const;
 
+    /// Where a patch that moves will be at the end of the step begun.
+    const WallPose& next(int patch) const { return next_[patch]; }
+
     /// How far each patch may go before a list made now is stale: this step and another, and a margin.
     std::vector<WallReach> reach
     (

@@ -130,6 +130,17 @@ void Halo::take(std::vector<Vec3>& perBody) const
     for (std::size_t k = 0; k < shared_.size(); ++k) perBody[shared_[k]] += triple(toOthers_, k);
 }
 
+void Halo::takeSmallest(std::vector<double>& perBody) const
+{
+    if (!exchange_) return;
+    fromOthers_.assign(perBody.begin() + firstGhost(), perBody.begin() + firstCopy());
+    toOthers_.resize(shared_.size());
+    exchange_->toOwners(fromOthers_, toOthers_, 1);
+    const auto take = [&](int body, double value) { perBody[body] = std::min(perBody[body], value); };
+    for (std::size_t c = 0; c < copied_.size(); ++c) take(copied_[c], perBody[firstCopy() + c]);
+    for (std::size_t k = 0; k < shared_.size(); ++k) take(shared_[k], toOthers_[k]);
+}
+
 double Halo::sum(double value) const
 {
     sum(&value, 1);

@@ -49,6 +49,9 @@ public:
     /// Adds ghosts' and copies' entries to their owners'.
     void take(std::vector<Vec3>& perBody) const;
 
+    /// Makes owners' entries the smallest of theirs and of those of their ghosts and copies.
+    void takeSmallest(std::vector<double>& perBody) const;
+
     double sum(double value) const;
     double max(double value) const;
     bool any(bool value) const { return max(value ? 1.0 : 0.0) > 0.0; }

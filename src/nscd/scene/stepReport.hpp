@@ -45,6 +45,7 @@ struct StepReport
     double overlapUncorrected = 0.0;  ///< the deepest before the overlap correction, loaded or not, in d
     int correctionSweeps = 0;         ///< of the overlap correction
     double maxDisplacement = 0.0;     ///< of any grain in this step, in d
+    std::size_t stoppedOnWay = 0;     ///< fast grains that stopped where their way led through a wall, or into one that did
     std::size_t asleep = 0;           ///< grains that sleep; figures of `solve` and overlapMean leave contacts between them out
 };
 
@@ -89,6 +90,7 @@ inline StepReport worstOf(const StepReport& before, const StepReport& next, int 
     worst.overlapUncorrected = std::max(before.overlapUncorrected, next.overlapUncorrected);
     worst.correctionSweeps += before.correctionSweeps;
     worst.maxDisplacement = std::max(before.maxDisplacement, next.maxDisplacement);
+    worst.stoppedOnWay += before.stoppedOnWay;
     return worst;
 }
 

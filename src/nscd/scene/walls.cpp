@@ -119,11 +119,13 @@ bool Walls::anyMotion() const
     return std::any_of(patches.begin(), patches.end(), [](const WallPatch& patch) { return patch.hasVelocity(); });
 }
 
+bool holdsFoot(const WallRegion& region, const Vec3& point) { return region.edges.empty() || isInsideOutline(region, point); }
+
 WallProximity nearestPoint(const WallRegion& region, const Vec3& center)
 {
     const double height = region.normal.dot(center - region.point);
     const Vec3 foot = center - height*region.normal;
-    if (region.edges.empty() || isInsideOutline(region, foot))
+    if (holdsFoot(region, foot))
     {
         if (region.isTwoSided && height < 0.0) return {foot, -region.normal, -height, true};
         return {foot, region.normal, height, true};

@@ -86,6 +86,9 @@ struct WallProximity
     bool isInside;     ///< the projection of the center lies inside the outline
 };
 
+/// Whether a point of a region's plane lies within its outline.
+bool holdsFoot(const WallRegion& region, const Vec3& point);
+
 /// At the reference pose.
 WallProximity nearestPoint(const WallRegion& region, const Vec3& center);
 

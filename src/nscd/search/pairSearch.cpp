@@ -249,16 +249,28 @@ void PairSearch::groupByOctave(const std::vector<double>& size)
     grids_.erase(std::remove_if(grids_.begin(), grids_.end(), [](const CellGrid& grid) { return grid.bodies.empty(); }), grids_.end());
 }
 
+void PairSearch::fill(const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box)
+{
+    grids_.resize(position.empty() ? 0 : grids_.size());
+    if (!position.empty()) groupByOctave(size);
+    for (CellGrid& grid : grids_) grid.fill(position, size, box);
+}
+
+const std::vector<BodyPair>& PairSearch::around(const Vec3& x, double size, const PeriodicBox& box)
+{
+    found_.clear();
+    for (const CellGrid& grid : grids_) Look(grid, box, found_).within(-1, x[0], x[1], x[2], size);
+    return found_;
+}
+
 /// Looks up one body after the other, and asks after each whether that is enough.
 template<class IsEnough>
 void PairSearch::lookUp(const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, const IsEnough& isEnough)
 {
     found_.clear();
-    if (position.empty()) return;
-    groupByOctave(size);
-    for (CellGrid& grid : grids_)
+    fill(position, size, box);
+    for (const CellGrid& grid : grids_)
     {
-        grid.fill(position, size, box);
         Look look(grid, box, found_);
         for (int place : grid.placeOf)
         {
@@ -283,12 +295,20 @@ void PairSearch::lookUp(const std::vector<Vec3>& position, const std::vector<dou
 
 const std::vector<BodyPair>& PairSearch::find
 (
-    const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius
+    const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius, std::size_t mostPairs
 )
 {
     checkPeriods(box, maxRadius);
     sorted_.clear();
-    lookUp(position, size, box, [] { return false; });
+    lookUp(position, size, box, [&] { return found_.size() > mostPairs; });
+    if (found_.size() > mostPairs)
+    {
+        throw invalidValue
+        (
+            "number of pairs of grains that may meet before they are listed again", "more than " + std::to_string(mostPairs),
+            "at most 1000 a grain (or a million): grains fly too far in a step; use a smaller time step"
+        );
+    }
 
     // By first body, keeping the order of discovery within one.
     next_.assign(position.size() + 1, 0);

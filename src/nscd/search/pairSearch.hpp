@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace nscd
@@ -29,10 +30,11 @@ class PairSearch
 public:
     /// All pairs with |x_a - x_b - image*length| < size_a + size_b.
     /// Shapes:   position [n], size [n]; result ordered by a, valid until the next call
-    /// Errors:   std::invalid_argument if a period is shorter than twice the largest radius given
+    /// Errors:   std::invalid_argument if a period is shorter than twice the largest radius given, or where there are more than `mostPairs`
     const std::vector<BodyPair>& find
     (
-        const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius
+        const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius,
+        std::size_t mostPairs = std::numeric_limits<std::size_t>::max()
     );
 
     /// Takes some pairs; false: no more are wanted.
@@ -44,6 +46,11 @@ public:
     (
         const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box, double maxRadius, const TakePairs& take
     );
+
+    /// Holds bodies for around().
+    void fill(const std::vector<Vec3>& position, const std::vector<double>& size, const PeriodicBox& box);
+    /// Those of them with |x - x_b - image*length| < size + size_b, as b of pairs with a = -1; until the next call.
+    const std::vector<BodyPair>& around(const Vec3& x, double size, const PeriodicBox& box);
 
 private:
     void groupByOctave(const std::vector<double>& size);

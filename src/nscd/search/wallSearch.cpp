@@ -33,9 +33,10 @@ WallSearch::WallSearch(const Walls& walls, double cellSize)
     for (std::size_t k = 0; k < walls.regions.size(); ++k)
     {
         const WallRegion& region = walls.regions[k];
+        bounds_.push_back(region.edges.empty() ? Eigen::AlignedBox3d() : bounds(region));
         (walls.patches[region.patch].motion ? moving[region.patch] : atRest).push_back(static_cast<int>(k));
         if (region.edges.empty()) hasPlane_[region.patch] = 1;
-        else extents_[region.patch].extend(bounds(region));
+        else extents_[region.patch].extend(bounds_.back());
     }
     addGroup(-1, atRest);
     for (std::size_t patch = 0; patch < moving.size(); ++patch) addGroup(static_cast<int>(patch), moving[patch]);
@@ -48,7 +49,11 @@ void WallSearch::addGroup(int patch, const std::vector<int>& regions)
     Group& group = groups_.back();
     group.patch = patch;
     std::vector<int> gridded;
-    for (int region : regions) (walls_.regions[region].edges.empty() ? group.direct : gridded).push_back(region);
+    for (int region : regions)
+    {
+        group.outlined.extend(bounds_[region]);
+        (walls_.regions[region].edges.empty() ? group.direct : gridded).push_back(region);
+    }
     if (gridded.size() > fewRegions) fillGrid(group, gridded);
     else group.direct.insert(group.direct.end(), gridded.begin(), gridded.end());
 }
@@ -79,7 +84,7 @@ void WallSearch::Group::forEachCell(const Eigen::AlignedBox3d& box, const Visit&
 
 void WallSearch::fillGrid(Group& group, const std::vector<int>& regions) const
 {
-    for (int region : regions) group.extent.extend(bounds(walls_.regions[region]));
+    for (int region : regions) group.extent.extend(bounds_[region]);
     // Memory bound: about a million cells however large the walls are.
     group.width = std::max(cellSize_, std::cbrt((group.extent.sizes().array() + cellSize_).prod()/1e6));
     for (int k = 0; k < 3; ++k) group.count[k] = static_cast<int>(group.extent.sizes()[k]/group.width) + 1;
@@ -89,7 +94,7 @@ void WallSearch::fillGrid(Group& group, const std::vector<int>& regions) const
         for (int region : regions)
         {
             const WallRegion& wall = walls_.regions[region];
-            group.forEachCell(bounds(wall), [&](std::size_t cell, const Vec3& middle)
+            group.forEachCell(bounds_[region], [&](std::size_t cell, const Vec3& middle)
             {
                 if (std::abs(height(wall, middle)) <= 0.87*group.width) visit(cell, region);
             });
@@ -103,48 +108,106 @@ void WallSearch::fillGrid(Group& group, const std::vector<int>& regions) const
     forEachEntry([&](std::size_t cell, int region) { group.members[next[cell]++] = region; });
 }
 
-void WallSearch::findIn(const Group& group, const Vec3& center, double distance, std::vector<int>& regions) const
+namespace
 {
-    const auto addIfPlaneIsNear = [&](int region)
-    {
-        if (std::abs(height(walls_.regions[region], center)) <= distance) regions.push_back(region);
-    };
-    const std::size_t before = regions.size();
-    for (int region : group.direct) addIfPlaneIsNear(region);
-    const Vec3 reach = Vec3::Constant(distance);
-    const Eigen::AlignedBox3d around(Vec3(center - reach), Vec3(center + reach));
-    if (!group.start.empty() && group.extent.intersects(around))
-    {
-        group.forEachCell(around, [&](std::size_t cell, const Vec3&)
-        {
-            for (std::size_t m = group.start[cell]; m < group.start[cell + 1]; ++m) addIfPlaneIsNear(group.members[m]);
-        });
-        std::sort(regions.begin() + before, regions.end());
-        regions.erase(std::unique(regions.begin() + before, regions.end()), regions.end());
-    }
+
+/// Takes out those from `first` on that are not nearer than `distance`.
+void removeFar(const Walls& walls, const Vec3& center, double distance, std::vector<int>& regions, std::size_t first)
+{
     const auto isFar = [&](int region)
     {
-        const WallRegion& wall = walls_.regions[region];
+        const WallRegion& wall = walls.regions[region];
         return !wall.edges.empty() && std::abs(nearestPoint(wall, center).distance) >= distance;
     };
-    regions.erase(std::remove_if(regions.begin() + before, regions.end(), isFar), regions.end());
+    regions.erase(std::remove_if(regions.begin() + static_cast<std::ptrdiff_t>(first), regions.end(), isFar), regions.end());
 }
 
-void WallSearch::find(const Vec3& center, double distance, std::vector<int>& regions, const std::vector<double>& patchReach) const
+} // namespace
+
+void WallSearch::addDirect(const Group& group, const Vec3& center, double distance, std::vector<int>& regions) const
 {
     const std::size_t before = regions.size();
+    for (int region : group.direct)
+    {
+        if (std::abs(height(walls_.regions[region], center)) <= distance) regions.push_back(region);
+    }
+    removeFar(walls_, center, distance, regions, before);
+}
+
+void WallSearch::addOfMany(const Group& group, const Vec3& center, double distance, std::vector<int>& regions) const
+{
+    const Vec3 reach = Vec3::Constant(distance);
+    const Eigen::AlignedBox3d around(Vec3(center - reach), Vec3(center + reach));
+    if (group.start.empty() || !group.extent.intersects(around)) return;
+    const std::size_t before = regions.size();
+    group.forEachCell(around, [&](std::size_t cell, const Vec3&)
+    {
+        for (std::size_t m = group.start[cell]; m < group.start[cell + 1]; ++m)
+        {
+            if (std::abs(height(walls_.regions[group.members[m]], center)) <= distance) regions.push_back(group.members[m]);
+        }
+    });
+    const auto first = regions.begin() + static_cast<std::ptrdiff_t>(before);
+    std::sort(first, regions.end());
+    regions.erase(std::unique(first, regions.end()), regions.end());
+    removeFar(walls_, center, distance, regions, before);
+}
+
+/// Calls visit(group, the center in its frame, what is added to its distance).
+template<class Visit>
+void WallSearch::forEachGroup(const Vec3& center, const std::vector<double>& patchReach, const Visit& visit) const
+{
     for (const Group& group : groups_)
     {
         if (group.patch < 0)
         {
-            findIn(group, center, distance, regions);
+            visit(group, center, 0.0);
             continue;
         }
         const WallPose& pose = walls_.patches[group.patch].pose;
-        const double added = patchReach.empty() ? 0.0 : patchReach[group.patch];
-        findIn(group, pose.linear().transpose()*(center - pose.translation()), distance + added, regions);
+        visit(group, Vec3(pose.linear().transpose()*(center - pose.translation())), patchReach.empty() ? 0.0 : patchReach[group.patch]);
     }
+}
+
+void WallSearch::find(const Vec3& center, double distance, std::vector<int>& regions, const std::vector<double>& patchReach) const
+{
+    const auto before = static_cast<std::ptrdiff_t>(regions.size());
+    forEachGroup(center, patchReach, [&](const Group& group, const Vec3& x, double added)
+    {
+        addDirect(group, x, distance + added, regions);
+        addOfMany(group, x, distance + added, regions);
+    });
     std::sort(regions.begin() + before, regions.end());
+}
+
+void WallSearch::findNear
+(
+    const Vec3& center, double distance, double ofMany, std::vector<int>& regions, const std::vector<double>& patchReach
+) const
+{
+    const auto before = static_cast<std::ptrdiff_t>(regions.size());
+    forEachGroup(center, patchReach, [&](const Group& group, const Vec3& x, double added)
+    {
+        addDirect(group, x, distance + added, regions);
+        addOfMany(group, x, ofMany, regions);
+    });
+    std::sort(regions.begin() + before, regions.end());
+}
+
+void WallSearch::findInBox(int number, const Eigen::AlignedBox3d& box, std::vector<int>& regions) const
+{
+    const Group& group = groups_[number];
+    if (!group.outlined.intersects(box)) return;
+    const auto addIfNear = [&](int region)
+    {
+        if (bounds_[region].intersects(box)) regions.push_back(region);
+    };
+    for (int region : group.direct) addIfNear(region);
+    if (group.start.empty()) return;
+    group.forEachCell(box, [&](std::size_t cell, const Vec3&)
+    {
+        for (std::size_t m = group.start[cell]; m < group.start[cell + 1]; ++m) addIfNear(group.members[m]);
+    });
 }
 
 } // namespace nscd

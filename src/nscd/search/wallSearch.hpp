@@ -6,6 +6,7 @@
 
 #include "nscd/scene/walls.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace nscd
@@ -22,6 +23,20 @@ public:
     /// Appends the indices of regions nearer to `center` than `distance`, in increasing order. `patchReach` is added to the
     /// distance for regions of each patch that moves [m]; empty: nothing is.
     void find(const Vec3& center, double distance, std::vector<int>& regions, const std::vector<double>& patchReach = {}) const;
+    /// The same, but of groups of many regions (below) those nearer than `ofMany`, to which nothing is added.
+    void findNear(const Vec3& center, double distance, double ofMany, std::vector<int>& regions, const std::vector<double>& patchReach = {}) const;
+
+    /// Regions move in groups: all patches at rest, and each that moves. The patch that moves; -1: those at rest.
+    int groups() const { return static_cast<int>(groups_.size()); }
+    int patchOf(int group) const { return groups_[group].patch; }
+    /// Whether a group has so many outlined regions that they are in a grid.
+    bool hasMany(int group) const { return !groups_[group].start.empty(); }
+    /// Of that grid [m]; infinite without.
+    double cellWidth(int group) const { return groups_[group].width; }
+    /// Around the outlined regions of a group, in its frame; empty where it has none.
+    const Eigen::AlignedBox3d& outlined(int group) const { return groups_[group].outlined; }
+    /// Appends the outlined regions of a group whose bounds touch a box, both in the group's frame, some more than once.
+    void findInBox(int group, const Eigen::AlignedBox3d& box, std::vector<int>& regions) const;
 
     double cellSize() const { return cellSize_; }
 
@@ -35,8 +50,8 @@ private:
     {
         int patch = -1;             ///< that moves; -1: all at rest
         std::vector<int> direct;
-        Eigen::AlignedBox3d extent;
-        double width = 1.0;
+        Eigen::AlignedBox3d outlined, extent;
+        double width = std::numeric_limits<double>::infinity();
         int count[3] = {0, 0, 0};
         std::vector<std::size_t> start;
         std::vector<int> members;
@@ -47,12 +62,15 @@ private:
 
     void addGroup(int patch, const std::vector<int>& regions);
     void fillGrid(Group& group, const std::vector<int>& regions) const;
-    void findIn(const Group& group, const Vec3& center, double distance, std::vector<int>& regions) const;
+    template<class Visit> void forEachGroup(const Vec3& center, const std::vector<double>& patchReach, const Visit& visit) const;
+    void addDirect(const Group& group, const Vec3& center, double distance, std::vector<int>& regions) const;
+    void addOfMany(const Group& group, const Vec3& center, double distance, std::vector<int>& regions) const;
 
     const Walls& walls_;
     double cellSize_;
     std::vector<Group> groups_;
     std::vector<Eigen::AlignedBox3d> extents_;
+    std::vector<Eigen::AlignedBox3d> bounds_;   ///< of each region
     std::vector<char> hasPlane_;
 };
 

@@ -8,7 +8,6 @@
 #include "nscd/base/stopwatch.hpp"
 #include "nscd/contacts/contactGeometry.hpp"
 #include "nscd/step/generalCorrection.hpp"
-#include "nscd/step/listPlan.hpp"
 #include "nscd/step/overlapCorrection.hpp"
 #include "nscd/step/sweptPairs.hpp"
 
@@ -65,6 +64,7 @@ void GrainDynamics::Implementation::makeWallSearch()
     double largest = 0.0;
     for (double radius : grains.radius) largest = std::max(largest, radius);
     const bool isFitting = wallSearch && wallSearch->cellSize() >= 2.0*largest && wallSearch->cellSize() <= 8.0*largest;
+    areWallsOutlined = std::any_of(walls.regions.begin(), walls.regions.end(), [](const WallRegion& region) { return !region.edges.empty(); });
     if (!isFitting) wallSearch = std::make_unique<WallSearch>(walls, largest > 0.0 ? 4.0*largest : diameter);
 }
 
@@ -81,19 +81,13 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     ImpulseRecord impulses = isListStale ? std::move(restored) : isWithinStep ? beforeStep : collectImpulses(list);
     restored = ImpulseRecord();
 
-    double sums[2] = {0.0, static_cast<double>(velocity.size())};
-    for (const Vec3& v : velocity) sums[0] += v.squaredNorm();
-    exchange->sum(sums, 2);
-    const double commonSpeed = std::sqrt(sums[0]/std::max(1.0, sums[1]));
-    if (!std::isfinite(commonSpeed)) throw invalidValue("rms speed of grains", commonSpeed, "a finite value [m/s]");
-    // Over many steps grains do not fly straight; and pairs on two ranks are listed by reach alone, so that longer ones would cost more there.
-    const bool areExpected = isStraight && !isListStale && stepsPerList == fewestStepsPerList && !exchange->isParallel();
-    ListPlan plan = areExpected ? planByPaths(list, velocity, diameter, deltaT) : planBySpeeds(velocity, commonSpeed, stepsPerList*deltaT);
-    const double always = rangeOfLaws(materials) + 0.5*settings.skin*diameter;
+    ListPlan plan = planList(velocity, isStraight);
     std::vector<double> reach(grains.size());
-    for (std::size_t i = 0; i < grains.size(); ++i) reach[i] = always + plan.expected.time*plan.speed[i];
+    for (std::size_t i = 0; i < grains.size(); ++i) reach[i] = reachAtRest() + plan.expected.time*plan.speed[i];
     makeWallSearch();
     std::vector<WallReach> wallReach = movingWalls.reach(*wallSearch, grains, reach, diameter);
+    if (areWallsOutlined) lookForFast(plan, reach, wallReach);
+    plan.expected.reachToMany = reachToMany;
     list = buildContactList(scene(), *wallSearch, reach, std::move(wallReach), diameter, *exchange, std::move(list), plan.expected);
     updateGeometry(list, scene());
     findFastPairs(list);
@@ -293,7 +287,7 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
 
     const Stopwatch watch(self.times.moveGrains);
     giveToGrains(self.forcesOnBodies(), self.list.grainOf, self.forces);
-    report.maxDisplacement = moveGrains(self.list, self.grains, self.box, self.deltaT, self.isFrictional)/self.diameter;
+    report.maxDisplacement = self.moveBodies(report)/self.diameter;
     if (self.materials.anyRestitution()) self.rebound(external, report.solve);
     self.movingWalls.endStep();
     copyVelocities(self.list, self.grains);

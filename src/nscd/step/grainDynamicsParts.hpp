@@ -14,8 +14,10 @@
 #include "nscd/step/contactStep.hpp"
 #include "nscd/step/generalMotion.hpp"
 #include "nscd/step/grainDynamics.hpp"
+#include "nscd/step/listPlan.hpp"
 #include "nscd/step/shockImpulses.hpp"
 #include "nscd/step/shockWork.hpp"
+#include "nscd/step/stopsOnWay.hpp"
 
 namespace nscd
 {
@@ -41,6 +43,10 @@ struct GrainDynamics::Implementation
 
     MovingWalls movingWalls{walls};
     std::unique_ptr<WallSearch> wallSearch;
+    bool areWallsOutlined = false;     // any
+    bool isAnyFast = false;            // of grains, on any rank: outlined walls on their ways are looked for
+    bool haveMissedWalls = false;      // the list lacks walls that grains have come to
+    std::vector<double> reachToMany;   // of the list
 
     ContactList list;             // while grains sleep: the part of it that is awake
     bool isListStale = true;
@@ -81,10 +87,16 @@ struct GrainDynamics::Implementation
 
     void measureGrains();
     void makeWallSearch();
-    bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list)); }
+    bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list) && !haveMissedWalls); }
+    double reachAtRest() const { return rangeOfLaws(materials) + 0.5*settings.skin*diameter; }
+    WallsOfStep wallsOfStep() const;
+    void lookForFast(const ListPlan& plan, const std::vector<double>& reach, const std::vector<WallReach>& wallReach);
+    double moveBodies(StepReport& report);
     void clearForces();
     /// `isStraight`: whether grains can be expected to move with these velocities.
     void rebuildList(const std::vector<Vec3>& velocity, bool isStraight);
+    void refuseBeyondPeriods(const std::vector<Vec3>& velocity, const Vec3& mean) const;
+    ListPlan planList(const std::vector<Vec3>& velocity, bool isStraight) const;
     void fitStepsPerList();
     void chooseKernelsOfStep();
     SolveReport solveVelocities(const ExternalForces& external);

@@ -67,6 +67,15 @@ ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity,
     return plan;
 }
 
+ListPlan planAroundMean(const std::vector<Vec3>& velocity, const Vec3& mean, double rms, double time)
+{
+    ListPlan plan;
+    for (const Vec3& v : velocity) plan.speed.push_back(mean.norm() + std::max((v - mean).norm(), rms));
+    plan.expected.velocity.assign(velocity.size(), mean);
+    plan.expected.time = time;
+    return plan;
+}
+
 ListPlan planBySpeeds(const std::vector<Vec3>& velocity, double common, double time)
 {
     ListPlan plan;

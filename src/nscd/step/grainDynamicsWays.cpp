@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// How far lists have to look, and steps in which grains may go through outlined walls, if nobody looks.
+// Tested by tests/unit/nscd/step/stopsOnWayTest.cpp, tests/unit/nscd/step/fastFlowTest.cpp
+#include "nscd/step/grainDynamicsParts.hpp"
+
+#include "nscd/base/formattedText.hpp"
+#include "nscd/base/invalidValue.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+namespace
+{
+
+/// Mean diameters that a flow moves on by in a step to be looked at as one.
+constexpr double fastFlow = 0.5;
+
+} // namespace
+
+/// Pairs are listed for the nearest images on each side alone.
+void GrainDynamics::Implementation::refuseBeyondPeriods(const std::vector<Vec3>& velocity, const Vec3& mean) const
+{
+    Vec3 fastest = Vec3::Zero();
+    for (const Vec3& v : velocity) fastest = fastest.cwiseMax((v - mean).cwiseAbs());
+    exchange->max(fastest.data(), 3);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (!box.isPeriodic(axis) || deltaT*fastest[axis] <= box.length[axis]) continue;
+        const std::string what = "way of a grain in a step along periodic axis " + std::to_string(axis) + ", relative to the mean of all,";
+        throw invalidValue(what, deltaT*fastest[axis], "at most the period, " + formatted("%.3g", box.length[axis]) + " m: use a smaller time step");
+    }
+}
+
+ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& velocity, bool isStraight) const
+{
+    double sums[5] = {0.0, static_cast<double>(velocity.size()), 0.0, 0.0, 0.0};
+    for (const Vec3& v : velocity)
+    {
+        sums[0] += v.squaredNorm();
+        Eigen::Map<Vec3>(&sums[2]) += v;
+    }
+    exchange->sum(sums, 5);
+    const double number = std::max(1.0, sums[1]), commonSpeed = std::sqrt(sums[0]/number);
+    if (!std::isfinite(commonSpeed)) throw invalidValue("rms speed of grains", commonSpeed, "a finite value [m/s]");
+    const double time = stepsPerList*deltaT;
+    const Vec3 mean = Vec3(sums[2], sums[3], sums[4])/number;
+    if (isStraight && box.any()) refuseBeyondPeriods(velocity, mean);
+    // Pairs on two ranks are listed by reach alone, so that longer ones would cost more there.
+    if (exchange->isParallel() || !isStraight) return planBySpeeds(velocity, commonSpeed, time);
+    // Over many steps grains do not fly straight.
+    if (!isListStale && stepsPerList == fewestStepsPerList) return planByPaths(list, velocity, diameter, deltaT);
+    if (deltaT*mean.norm() <= fastFlow*diameter) return planBySpeeds(velocity, commonSpeed, time);
+    return planAroundMean(velocity, mean, std::sqrt(std::max(0.0, sums[0]/number - mean.squaredNorm())), time);
+}
+
+WallsOfStep GrainDynamics::Implementation::wallsOfStep() const
+{
+    const double tolerance = (settings.deadBand + settings.displacementTolerance + settings.overlapTolerance)*diameter;
+    return {scene(), *wallSearch, movingWalls, reachToMany, tolerance, reachAtRest()};
+}
+
+void GrainDynamics::Implementation::lookForFast(const ListPlan& plan, const std::vector<double>& reach, const std::vector<WallReach>& wallReach)
+{
+    double isAny = areAnyFast(grains, reach, wallReach) ? 1.0 : 0.0;
+    exchange->max(&isAny, 1);
+    isAnyFast = isAny > 0.0;
+    haveMissedWalls = false;
+    reachToMany = isAnyFast ? reachesToMany(grains, *wallSearch, plan.speed, deltaT, reachAtRest()) : std::vector<double>();
+}
+
+double GrainDynamics::Implementation::moveBodies(StepReport& report)
+{
+    if (!isAnyFast) return moveGrains(list, grains, box, deltaT, isFrictional);
+    const std::vector<Stop> stops = findStops(list, wallsOfStep(), deltaT);
+    const double displacement = moveGrains(list, grains, box, deltaT, isFrictional);
+    for (const Stop& stop : stops)
+    {
+        list.position[stop.body] += stop.way - deltaT*Vec3(list.bodies[stop.body].v);
+        grains.position[list.grainOf[stop.body]] = box.wrap(list.position[stop.body]);
+    }
+    list.halo.give(list.position);
+    report.stoppedOnWay = static_cast<std::size_t>(list.halo.sum(static_cast<double>(stops.size())));
+    haveMissedWalls = areWallsMissed(list, wallsOfStep());
+    return displacement;
+}
+
+} // namespace nscd
