@@ -77,8 +77,10 @@ def main():
     drop, fineDrop = measuredDrop(case, "0"), {}
     report = case.report()
     lifted = [p for t, p in drop.items() if t > 0.55]
+    atRest = [error for t, error in zip(report["time"], report["momentumError"]) if 0.2 < t < 0.4]
     writeResults(overLaw(case, drop, BELOW) + [("plateau", sum(lifted)/len(lifted)), ("largest overlap", max(report["overlapMax"])),
-                 ("momentum error", max(report["momentumError"])), ("grains lost", report["exited"][-1])])
+                 ("momentum error at rest", max(atRest)), ("largest momentum error", max(report["momentumError"])),
+                 ("grains lost", report["exited"][-1])])
     if sys.argv[1:] == ["fine"]:
         fine = CaseFolder("fine")
         fineDrop = measuredDrop(fine, "0.4")
