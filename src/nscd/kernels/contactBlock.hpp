@@ -141,6 +141,9 @@ struct SweepKernels
     SweepFunction sweepDiscs[3];      ///< by the axis that nothing moves along
     MomentumSweepFunction sweepOnDiscs[3];
     SweepFunction evaluateDiscs[3];
+    SweepFunction sweepHeld;          ///< friction[] of the blocks is the bound of friction itself [N s]
+    MomentumSweepFunction sweepOnHeld;
+    SweepFunction evaluateHeld;
 };
 
 } // namespace nscd

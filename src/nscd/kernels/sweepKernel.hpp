@@ -17,8 +17,9 @@ namespace
 
 /// Local solution of one contact per lane (src/nscd/method.md, "The contact law"): with own impulse r, relative velocity u at the contact,
 /// p_n = max(0, r_n - (u_n + b)/W_nn), p_t = Proj_{mu p_n}(r_t - u_t/W_tt). Exact, since W is diagonal for spheres and discs.
-/// An evaluation bounds friction by mu r_n as the natural map does, a sweep by the new mu p_n. Always inlined: called, its sums would go through memory.
-template<class V, bool isFrictional, bool isUpdate>
+/// An evaluation bounds friction by mu r_n as the natural map does, a sweep by the new mu p_n. Held, the block's friction is the bound itself [N s], whatever
+/// presses (Tresca's law). Always inlined: called, its sums would go through memory.
+template<class V, bool isFrictional, bool isUpdate, bool isHeld = false>
 __attribute__((always_inline)) inline void solveLanes(Body* bodies, ContactBlock& block, int first, LaneSums<V>& sums)
 {
     using Real = typename V::Real;
@@ -51,7 +52,8 @@ __attribute__((always_inline)) inline void solveLanes(Body* bodies, ContactBlock
         const Real qn = rn - un*invWt;
         const Real qx = rx - ux*invWt - qn*nx, qy = ry - uy*invWt - qn*ny, qz = rz - uz*invWt - qn*nz;
         const Real bound = isUpdate ? pn : V::max(V::zero(), rn);
-        const Real limit = V::load(block.friction + first)*bound;
+        const Real friction = V::load(block.friction + first);
+        const Real limit = isHeld ? friction : friction*bound;
         const Real q2 = qx*qx + qy*qy + qz*qz;
         const Real scale = V::select(q2 > limit*limit, limit/V::sqrt(V::max(q2, V::tiny())), V::one());
         px += scale*qx;
@@ -88,6 +90,16 @@ struct Spheres
     __attribute__((always_inline)) static void solve(Body* bodies, ContactBlock& block, int first, LaneSums<V>& sums)
     {
         solveLanes<V, isFrictional, isUpdate>(bodies, block, first, sums);
+    }
+};
+
+/// Friction within bounds that do not depend on what presses.
+struct HeldSpheres
+{
+    template<class V, bool isUpdate>
+    __attribute__((always_inline)) static void solve(Body* bodies, ContactBlock& block, int first, LaneSums<V>& sums)
+    {
+        solveLanes<V, true, isUpdate, true>(bodies, block, first, sums);
     }
 };
 
@@ -169,7 +181,8 @@ constexpr SweepKernels makeKernels(const char* name)
             replaceImpulses<V, true>, replaceImpulses<V, false>, addDifferences, extrapolateImpulses, extrapolateBodies, setLaws<V>, startWarm<V, true>, startWarm<V, false>, giveImpulses<V>,
             {passOverBlocks<V, Discs<0>, true>, passOverBlocks<V, Discs<1>, true>, passOverBlocks<V, Discs<2>, true>},
             {sweepOn<V, Discs<0>>, sweepOn<V, Discs<1>>, sweepOn<V, Discs<2>>},
-            {passOverBlocks<V, Discs<0>, false>, passOverBlocks<V, Discs<1>, false>, passOverBlocks<V, Discs<2>, false>}};
+            {passOverBlocks<V, Discs<0>, false>, passOverBlocks<V, Discs<1>, false>, passOverBlocks<V, Discs<2>, false>},
+            passOverBlocks<V, HeldSpheres, true>, sweepOn<V, HeldSpheres>, passOverBlocks<V, HeldSpheres, false>};
 }
 
 } // namespace

@@ -54,6 +54,14 @@ SweepKernels normalOnly(SweepKernels kernels)
     return kernels;
 }
 
+SweepKernels held(SweepKernels kernels)
+{
+    kernels.sweep = kernels.sweepHeld;
+    kernels.sweepOn = kernels.sweepOnHeld;
+    kernels.evaluate = kernels.evaluateHeld;
+    return kernels;
+}
+
 SweepKernels planar(SweepKernels kernels, int axis)
 {
     kernels.sweep = kernels.sweepDiscs[axis];

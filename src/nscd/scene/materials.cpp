@@ -75,6 +75,13 @@ bool Materials::anyFriction() const
     return std::any_of(pairs_.begin(), pairs_.end(), [](const ContactPair& p) { return p.friction > 0.0; });
 }
 
+double Materials::largestFriction() const
+{
+    double largest = 0.0;
+    for (const ContactPair& p : pairs_) largest = std::max(largest, p.friction);
+    return largest;
+}
+
 bool Materials::anyRestitution() const
 {
     return std::any_of(pairs_.begin(), pairs_.end(), [](const ContactPair& p) { return p.restitution > 0.0; });

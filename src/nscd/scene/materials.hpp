@@ -42,6 +42,8 @@ public:
     int find(const std::string& name) const;
 
     bool anyFriction() const;
+    /// Of all pairs.
+    double largestFriction() const;
     bool anyRestitution() const;
     /// Whether any pair resists rolling or spinning.
     bool anyRolling() const;

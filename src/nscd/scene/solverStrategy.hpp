@@ -99,6 +99,20 @@ struct SolverStrategy
         std::size_t mostSweeps = 20;                    ///< visits over contacts, at most
     } queue;
 
+    /// Where masses differ much: light bodies that stick between heavy ones are solved with their contacts at once (stiffClusters.hpp). 2000 spheres of 0.5 to 10 mm that
+    /// land: of 150 steps 3 at the cap of sweeps, without 67; with 10 rounds 16.
+    struct Clusters
+    {
+        bool isOn = true;
+        double leastMassRatio = 20.0;    ///< of all grains, heaviest to lightest [-]
+        int sweepsBetween = 50;
+        int rounds = 40;
+        int mostInRound = 200;           ///< clusters, the worst ones
+        std::size_t contacts = 6;        ///< of a cluster, at least, if there are so many
+        double shareOfLimit = 0.7;       ///< of the smaller limit, above which a contact has a cluster made around it [-]
+        double fineness = 0.1;           ///< of that, to which clusters are solved [-]
+    } clusters;
+
     /// A solution that is polished but for some contacts is swept around these alone (loneDefects.hpp).
     struct LoneDefects
     {
@@ -107,6 +121,22 @@ struct SolverStrategy
         double mostSweeps = 100.0;
         double mostWork = 5.0;         ///< in sweeps over all contacts
     } loneDefects;
+
+    /// A step that ends at the cap is solved again with friction that is held (heldFriction.hpp).
+    struct Held
+    {
+        bool isOn = true;
+        double overlap = 1e-2;              ///< that the largest defect of a step at the cap makes within it, from which friction is held [mean diameters]
+        double jam = 1e4;                   ///< impulse of a contact over the sum of what contacts give the grains [-], from which friction is held whatever the residual
+        double frictionToJam = 1.0;         ///< of any pair, from which impulses may grow within few sweeps [-]; they are looked at after every solve then
+        int sweepsToJam = 100;              ///< else after solves as long as this
+        double jamAtCap = 1.0;              ///< the same of a step at the cap; a bed from cold stays below 1
+        int following = 20, falling = 10;   ///< rounds in which bounds of friction follow what presses, then may only fall
+        int fading = 4;                     ///< rounds in which all bounds become smaller, in the last one zero, where those that stay take too many sweeps
+        int sweeps = 30;                    ///< of a round that follows or falls, at most
+        double share = 0.5;                 ///< of the way to mu r_n in the later half of the rounds that follow; of a bound in a round that fades [-]
+        double pressure = 4.0;              ///< largest pressure that friction follows, over what presses on a body without friction [-]
+    } held;
 
     /// When Newton's method takes over (directHelp.hpp).
     struct Direct

@@ -14,9 +14,14 @@ namespace nscd
 struct SolveReport
 {
     int sweeps = 0;
-    int newtonSteps = 0;        ///< of the direct method, where it was used
+    int newtonSteps = 0;        ///< of the direct method and of clusters, where they were used
     bool converged = true;      ///< velocities and forces: see StopRule
     bool atCap = false;         ///< not converged, and no sweep left
+    /// Coulomb's law had no solution, or none that sweeps found: friction was held within bounds that it comes near, velocities are those of a convex
+    /// problem, which was solved. See heldFriction.hpp.
+    bool isHeld = false;
+    double frictionOff = 0.0;   ///< sum of what held friction is off Coulomb's, over the sum of mu r_n [-]
+    double createdEnergy = 0.0; ///< work of the impulses of a step that has not converged, beyond round-off, where it is positive [J]
     double residualRms = 0.0;   ///< natural map over active contacts, rms [m/s]
     double residualMax = 0.0;   ///< natural map, largest [m/s]
     double speedScale = 0.0;    ///< what the tolerance multiplies [m/s]
@@ -65,6 +70,9 @@ inline SolveReport worstOf(const SolveReport& before, const SolveReport& next)
     SolveReport worst = together(before, next);
     worst.converged = before.converged && next.converged;
     worst.atCap = before.atCap || next.atCap;
+    worst.isHeld = before.isHeld || next.isHeld;
+    worst.frictionOff = std::max(before.frictionOff, next.frictionOff);
+    worst.createdEnergy = std::max(before.createdEnergy, next.createdEnergy);
     worst.residualRms = std::max(before.residualRms, next.residualRms);
     worst.residualMax = std::max(before.residualMax, next.residualMax);
     worst.forceError = std::max(before.forceError, next.forceError);

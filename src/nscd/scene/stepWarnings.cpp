@@ -49,6 +49,29 @@ Warning alwaysAtCap(const SolveReport& report)
     };
 }
 
+Warning frictionHeld(const SolveReport& report)
+{
+    const std::string text = formatted
+    (
+        "no forces were found that obey Coulomb's law at all contacts (a grain in a corner between belt and wall has none where friction is 1 or more; grains wedged "
+        "between much heavier ones may have none that sweeps find): friction was held, and is off by %.3g of its limits in the sum; nothing overlaps for it, and no "
+        "energy is created; less friction or a smaller time step would do",
+        report.frictionOff
+    );
+    return {"friction held", text, report.frictionOff, "of friction's limits"};
+}
+
+Warning energyFromNowhere(const SolveReport& report)
+{
+    const std::string text = formatted
+    (
+        "a step whose contact solve has not converged created %.3g J, which grains carry on: what they do from here on is not to be trusted; a larger maxSweeps, "
+        "a smaller time step or less friction would do",
+        report.createdEnergy
+    );
+    return {"energy from nowhere", text, report.createdEnergy, "J in a step"};
+}
+
 Warning forcesOff(const SolveReport& report)
 {
     const std::string text = formatted
@@ -67,7 +90,9 @@ std::vector<Warning> warnings(const SolveReport& report)
     std::vector<Warning> all;
     if (report.hiddenMassRatio > 0.0) all.push_back(unlikeMasses(report));
     if (report.hasGainedEnergy()) all.push_back(scaledRebounds(report));
-    if (!report.converged && !report.atCap) all.push_back(forcesOff(report));
+    if (report.isHeld) all.push_back(frictionHeld(report));
+    if (report.createdEnergy > 0.0) all.push_back(energyFromNowhere(report));
+    if (!report.converged && !report.atCap && !report.isHeld) all.push_back(forcesOff(report));
     if (report.stepsAtCap >= patience) all.push_back(alwaysAtCap(report));
     return all;
 }

@@ -57,6 +57,7 @@ public:
     void complete(SolveReport& report, const StopRule& rule)
     {
         if (direct_.complete(report, rule)) slowSolve_.forget();
+        report.newtonSteps += slowSolve_.newtonSteps();
     }
 
 private:

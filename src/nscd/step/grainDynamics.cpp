@@ -152,7 +152,13 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
     problem.isDriven = areWallsDriving(external.speedScale);
-    const SolveReport report = solveWhereAwake(problem, settings, solve);
+    SolveReport report = solveWhereAwake(problem, settings, solve);
+    if (!report.converged) report.createdEnergy = createdEnergy(external, report);
+    if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem)))
+    {
+        report = together(report, holdFriction(external));
+        if (!report.converged) report.createdEnergy = createdEnergy(external, report);
+    }
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     return report;
 }

@@ -104,6 +104,11 @@ struct GrainDynamics::Implementation
     bool areWallsDriving(double speedScale) const;
     void prepareSolve(const ExternalForces& external);
     SolveReport solveOnce(const ExternalForces& external);
+    bool mayHoldFriction() const { return isFrictional && list.general.empty() && settings.strategy.held.isOn; }
+    bool isHarmful(const SolveReport& report) const;
+    bool isJammed(const SolveReport& report, const ContactProblem& problem) const;
+    SolveReport holdFriction(const ExternalForces& external);
+    double createdEnergy(const ExternalForces& external, const SolveReport& report);
     SolveReport solveAndWake(const ExternalForces& external);
     void holdWholeList();
     void cutAwakePart();

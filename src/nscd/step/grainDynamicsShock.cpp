@@ -5,6 +5,7 @@
 // Tested by tests/unit/nscd/step/shockWorkTest.cpp
 #include "nscd/step/grainDynamicsParts.hpp"
 
+#include "nscd/solvers/heldFriction.hpp"
 #include "nscd/solvers/help/andersonAcceleration.hpp"
 
 #include <cmath>
@@ -32,7 +33,14 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
-    const SolveReport shock = solveWhereAwake(problem, shockSettings, solve);
+    SolveReport shock = solveWhereAwake(problem, shockSettings, solve);
+    if (shock.atCap && mayHoldFriction())
+    {
+        Shock start = inelastic;
+        list.bodies = std::move(start.bodies);
+        swapImpulses(list, start.impulses, start.ofLaws);
+        shock = together(shock, solveHeld(problem, shockSettings));
+    }
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     report = worstOf(shock, report);
     if (sleep.any() && !sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty())
@@ -62,7 +70,9 @@ void GrainDynamics::Implementation::limitWork
     const ShockWork account = shockWork(list, freeBodies, residual);
     report.shockWork = account.work;
     report.shockResidualWork = account.residualWork;
-    if (report.hasGainedEnergy()) report.reboundShare = limitRebound(list, freeBodies, inelastic);
+    // What an unconverged solve may have of energy is no excuse.
+    const bool isFromNowhere = !shock.converged && account.work > 0.0;
+    if (report.hasGainedEnergy() || isFromNowhere) report.reboundShare = limitRebound(list, freeBodies, inelastic);
 }
 
 } // namespace nscd

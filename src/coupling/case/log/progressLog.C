@@ -136,7 +136,7 @@ void ProgressLog::step(const StepRow& row, const FluidSummary& fluid)
         (
             "  advanceGrains: %lld grains, %zu contacts, %d sweeps%s, residual %.2g rms %.2g max m/s, force error %.2g, overlap <= %.2g d "
             "(%.2g before correction)",
-            static_cast<long long>(row.grains), solve.contacts, solve.sweeps, solve.converged ? "" : solve.atCap ? " (at the cap)" : " (forces off)",
+            static_cast<long long>(row.grains), solve.contacts, solve.sweeps, solve.converged ? "" : solve.atCap ? " (at the cap)" : solve.isHeld ? " (friction held)" : " (forces off)",
             solve.residualRms, solve.residualMax, solve.forceError, row.report.overlapMax, row.report.overlapUncorrected
         ).c_str() << nl;
     if (solve.newtonSteps > 0) os_ << formatted("  direct method: %d Newton steps", solve.newtonSteps).c_str() << nl;

@@ -4,6 +4,8 @@
 // Anderson mixing or momentum with a safeguard, and a queue for the last bad contacts.
 #include "nscd/solvers/help/slowSolve.hpp"
 
+#include "nscd/solvers/help/stiffClusters.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,11 +34,17 @@ SlowSolve::SlowSolve(ContactProblem& problem, const SolverStrategy& strategy)
     problem_(problem),
     strategy_(strategy),
     isCold_(isCold(problem)),
+    haveClusters_(haveStiffClusters(problem, strategy.clusters)),
     pause_(strategy.slowness.pause)
 {}
 
 int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& rule)
 {
+    if (areClustersDue(sweeps, sums, rule))
+    {
+        solveClusters(sweeps, rule);
+        return 0;
+    }
     if (!anderson_ && !momentum_)
     {
         // What each rank knows of itself, before anything depends on it: velocities extrapolated on some ranks alone would not be those of the impulses.
@@ -166,6 +174,19 @@ void SlowSolve::revert()
     forgetDirections();
     sinceMixing_ = 0;
     isMixed_ = false;
+}
+
+bool SlowSolve::areClustersDue(int sweeps, const DefectSums& sums, const StopRule& rule) const
+{
+    return haveClusters_ && sweeps - lastClusters_ >= strategy_.clusters.sweepsBetween && !rule.isMet(sums);
+}
+
+void SlowSolve::solveClusters(int sweeps, const StopRule& rule)
+{
+    newtonSteps_ += StiffClusters(problem_, strategy_.clusters).solve(strategy_.clusters.shareOfLimit*std::min(rule.maxLimit, rule.rmsLimit));
+    lastClusters_ = sweeps;
+    queue_.reset();
+    restart();
 }
 
 bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const

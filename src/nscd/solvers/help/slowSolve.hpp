@@ -30,12 +30,17 @@ public:
     /// What the next sweep has to move the impulses on by, velocities having been moved.
     SweepOn forNextSweep() { return momentum_ ? momentum_->forNextSweep() : SweepOn(); }
 
+    /// Newton steps for clusters so far, which are beside the sweeps.
+    int newtonSteps() const { return newtonSteps_; }
+
     /// To be called when something else changed the solution: what was collected about it is of no use.
     void forget();
     /// To be called when blocks woke up.
     void wake();
 
 private:
+    bool areClustersDue(int sweeps, const DefectSums& sums, const StopRule& rule) const;
+    void solveClusters(int sweeps, const StopRule& rule);
     bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const;
     int solveLocally(int sweeps, const StopRule& rule);
     bool isSlow(int sweepsBetween, const DefectSums& sums);
@@ -53,12 +58,15 @@ private:
     ContactProblem& problem_;
     const SolverStrategy& strategy_;
     bool isCold_;               ///< started without any impulse (here, until all ranks were asked)
+    bool haveClusters_;
     std::unique_ptr<AndersonAcceleration> anderson_;
     std::unique_ptr<SweepMomentum> momentum_;   ///< in its place in a cold solve, and in a flow
     AndersonAcceleration::Impulses start_;      ///< impulses after the last mixing
     std::unique_ptr<ContactQueue> queue_;
     int sinceMixing_ = 0;
     int lastLocal_ = 0;
+    int lastClusters_ = 0;
+    int newtonSteps_ = 0;
     bool isMixed_ = false;
     int pause_;
     int endOfTerm_ = 0;

@@ -99,6 +99,26 @@ TEST(StepReport, saysByHowMuchForcesOfAFlowAreOff)
     EXPECT_EQ(nscd::warnings(report)[0].measure, report.forceError);
 }
 
+TEST(StepReport, namesFrictionThatIsHeldAndEnergyFromNowhere)
+{
+    nscd::SolveReport report;
+    report.converged = false;
+    report.isHeld = true;
+    report.frictionOff = 0.25;
+    ASSERT_EQ(nscd::warnings(report).size(), 1u);
+    EXPECT_EQ(nscd::warnings(report)[0].kind, "friction held");
+    EXPECT_EQ(nscd::warnings(report)[0].measure, 0.25);
+    report.isHeld = false;
+    report.atCap = true;
+    report.createdEnergy = 3.0;
+    ASSERT_EQ(nscd::warnings(report).size(), 1u);
+    EXPECT_EQ(nscd::warnings(report)[0].kind, "energy from nowhere");
+    EXPECT_EQ(nscd::warnings(report)[0].measure, 3.0);
+    const nscd::SolveReport worst = nscd::worstOf(report, nscd::SolveReport());
+    EXPECT_EQ(worst.createdEnergy, 3.0);
+    EXPECT_FALSE(worst.isHeld);
+}
+
 TEST(WarningCounts, tellsStepsTheFirstAndTheWorstOfEachKind)
 {
     nscd::WarningCounts counts;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Steps that have not converged: solved again with friction that is held, and their account of energy.
+// Tested by tests/unit/nscd/solvers/heldFrictionTest.cpp
+#include "nscd/step/grainDynamicsParts.hpp"
+
+#include "nscd/solvers/heldFriction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nscd
+{
+
+/// Whether what a solve left at the cap makes energy, or grains overlap. Else it is a solution that is not yet sharp, as of a bed from cold,
+/// and nearer to Coulomb's law than friction that is held.
+bool GrainDynamics::Implementation::isHarmful(const SolveReport& report) const
+{
+    return report.atCap && (report.createdEnergy > 0.0 || report.residualMax*deltaT > settings.strategy.held.overlap*diameter);
+}
+
+/// Whether a contact carries far more than all contacts together give the grains: where Coulomb's law has no solution impulses grow until what they
+/// leave drowns in round-off, which meets any stop rule. Attraction may press as hard.
+bool GrainDynamics::Implementation::isJammed(const SolveReport& report, const ContactProblem& problem) const
+{
+    const SolverStrategy::Held& strategy = settings.strategy.held;
+    const bool mayGrow = report.sweeps >= strategy.sweepsToJam || materials.largestFriction() >= strategy.frictionToJam;
+    if (list.laws.areOfStart() || !mayGrow) return false;
+    double largest2 = 0.0, mass = 0.0;
+    for (std::uint32_t k : list.awake)
+    {
+        const ContactBlock& block = list.blocks[k];
+        for (int lane = 0; lane < blockLanes; ++lane)
+        {
+            largest2 = std::max(largest2, block.r[0][lane]*block.r[0][lane] + block.r[1][lane]*block.r[1][lane] + block.r[2][lane]*block.r[2][lane]);
+        }
+    }
+    for (int body = 0; body < list.owned(); ++body) mass += list.bodies[body].invMass > 0.0 ? 1.0/list.bodies[body].invMass : 0.0;
+    return std::sqrt(list.halo.max(largest2)) > (report.atCap ? strategy.jamAtCap : strategy.jam)*(netImpulse(problem) + list.halo.sum(mass)*report.speedScale);
+}
+
+/// The step's problem once more, without what impulses the first solve left: those may be of any size.
+SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& external)
+{
+    for (ContactBlock& block : list.blocks) std::fill_n(&block.r[0][0], 3*blockLanes, 0.0);
+    // Laws beside Coulomb's that work within sweeps know of no bounds that are held: such a step is solved without them.
+    for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) list.laws.setImpulses(slot, noLawImpulses());
+    prepareSolve(external);
+    ContactProblem problem = makeProblem(external.speedScale);
+    problem.motion = measureMotion(external.speedScale);
+    problem.isDriven = areWallsDriving(external.speedScale);
+    return solveHeld(problem, settings);
+}
+
+/// Work of the impulses [J], where it is positive beyond what the tolerance may have of it. A solution has r.(u^- + u)/2 <= 0 at every contact.
+double GrainDynamics::Implementation::createdEnergy(const ExternalForces& external, const SolveReport& report)
+{
+    // Attraction is part of the free motion, and not of the velocities before contact that are known here.
+    if (list.laws.areOfStart()) return 0.0;
+    std::vector<Body> solved = list.bodies;
+    setFreeVelocities(list, grains, external, deltaT, sleep);
+    if (!list.general.empty()) mirrorFreeGeneral(list, list.bodies);
+    solved.swap(list.bodies);
+    const double residual = settings.tolerance*report.speedScale*std::sqrt(static_cast<double>(report.contacts));
+    const ShockWork account = shockWork(list, solved, residual);
+    return std::max(0.0, account.work - account.residualWork);
+}
+
+} // namespace nscd

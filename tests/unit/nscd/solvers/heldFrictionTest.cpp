@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Tests of steps that Coulomb's law gives no solution, or none that sweeps find: jams on belts, light grains wedged between heavy ones.
+#include "unit/nscd/scenes/randomProblem.hpp"
+#include "unit/nscd/scenes/scenes.hpp"
+
+#include "nscd/scene/stepWarnings.hpp"
+#include "nscd/solvers/heldFriction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace scenes;
+
+namespace
+{
+
+double energyOf(const nscd::Grains& grains)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const double spin2 = (grains.radius[i]*grains.omega[i]).squaredNorm();
+        sum += 0.5*grains.mass[i]*(grains.velocity[i].squaredNorm() + grains.shape.inertiaFactor()*spin2);
+    }
+    return sum;
+}
+
+double weightOf(const nscd::Grains& grains)
+{
+    double sum = 0.0;
+    for (double mass : grains.mass) sum += mass*gravity;
+    return sum;
+}
+
+/// What came of a run.
+struct Outcome
+{
+    int atCap = 0, held = 0, unnamed = 0;   ///< steps; the last: not converged, and without a word
+    double overlap = 0.0;                   ///< largest before its correction [d]
+    double wallForce = 0.0;                 ///< largest on any patch, in weights of all grains
+    double energy = 0.0;                    ///< largest kinetic energy [J]
+    double lastEnergy = 0.0;
+    std::vector<Vec3> position;
+};
+
+Outcome run(const Scene& scene, double deltaT, int steps)
+{
+    auto dynamics = scene.build(nscd::ContactSettings());
+    Outcome outcome;
+    for (int k = 0; k < steps; ++k)
+    {
+        const nscd::StepReport report = step(dynamics, scene.g, deltaT);
+        outcome.atCap += report.solve.atCap;
+        outcome.held += report.solve.isHeld;
+        outcome.unnamed += !report.solve.converged && !report.solve.atCap && nscd::warnings(report.solve).empty();
+        outcome.overlap = std::max(outcome.overlap, report.overlapUncorrected);
+        for (const Vec3& force : dynamics.wallForce()) outcome.wallForce = std::max(outcome.wallForce, force.norm()/weightOf(scene.grains));
+        outcome.lastEnergy = energyOf(dynamics.grains());
+        outcome.energy = std::max(outcome.energy, outcome.lastEnergy);
+    }
+    outcome.position = dynamics.grains().position;
+    return outcome;
+}
+
+const Vec3 tray(0.0056, 0.0112, 0.011);
+
+/// 54 spheres in a closed tray, whose floor is a belt.
+Scene tossedGrains(double friction, double beltSpeed)
+{
+    Scene scene(3, friction, 0.3);
+    nscd::addLattice(scene.grains, {{0, 0, 0}, {tray[0], tray[1], 0.0056}, {3, 6, 3}, 0.85e-3, 0.333, 1.0}, 2500.0, 0);
+    for (int axis = 0; axis < 3; ++axis) scene.addPlane(tray, -Vec3::Unit(axis));
+    for (int axis = 0; axis < 3; ++axis) scene.addPlane(Vec3::Zero(), Vec3::Unit(axis));
+    if (beltSpeed > 0.0) scene.walls.setSurfaceMotion(5, nscd::belt(Vec3(beltSpeed, 0, 0)));
+    return scene;
+}
+
+int outside(const Outcome& outcome)
+{
+    int count = 0;
+    for (const Vec3& x : outcome.position) count += !((x.array() > 0.0).all() && (x.array() < tray.array()).all());
+    return count;
+}
+
+/// A sphere in the corner between a belt that runs to the wall and the wall: N (1 - mu^2) = m g has no N > 0 for mu >= 1.
+Scene cornered(double friction)
+{
+    Scene scene(3, friction, 0.0);
+    scene.addGrain(Vec3(0.01, 0, 0.01), 0.01);
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    scene.addPlane(Vec3::Zero(), Vec3::UnitX());
+    scene.walls.setSurfaceMotion(0, nscd::belt(Vec3(-0.1, 0, 0)));
+    return scene;
+}
+
+/// A ball of 10 mm, a little off the middle of four of 0.5 mm.
+Scene ballOnFour(double aside)
+{
+    const double small = 0.25e-3, large = 5e-3, apart = 1.5*small;
+    Scene scene(3, 0.5, 0.0);
+    for (int k = 0; k < 4; ++k) scene.addGrain(Vec3(k % 2 ? apart : -apart, k/2 ? apart : -apart, small), small);
+    scene.addGrain(Vec3(aside, 0, small + 1.0001*std::sqrt(std::pow(large + small, 2) - std::pow(apart - aside, 2) - apart*apart)), large);
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    return scene;
+}
+
+/// Spheres of 0.5 to 10 mm, as many of each size as make about equal volumes, at random places in a box: masses 1:8000.
+Scene mixedSizes(int count)
+{
+    const double smallest = 0.5e-3, largest = 10e-3, width = 2.2*largest, height = 1.5*largest;
+    Scene scene(3, 0.5, 0.0);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::vector<double> radii;
+    for (int k = 0; k < count; ++k)
+    {
+        const double ofSmallest = std::pow(smallest, -2), ofLargest = std::pow(largest, -2);
+        radii.push_back(0.5/std::sqrt(ofLargest + unit(random)*(ofSmallest - ofLargest)));
+    }
+    std::sort(radii.begin(), radii.end(), std::greater<double>());
+    const nscd::Grains& placed = scene.grains;
+    while (placed.size() < radii.size())
+    {
+        const double r = radii[placed.size()], room = 1.01*r;
+        const Vec3 x(room + (width - 2*room)*unit(random), room + (width - 2*room)*unit(random), room + (height - 2*room)*unit(random));
+        bool isFree = true;
+        for (std::size_t i = 0; i < placed.size() && isFree; ++i) isFree = (x - placed.position[i]).norm() > 1.01*(r + placed.radius[i]);
+        if (isFree) scene.addGrain(x, r);
+    }
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        scene.addPlane(Vec3::Zero(), Vec3::Unit(axis));
+        scene.addPlane(width*Vec3::Unit(axis), -Vec3::Unit(axis));
+    }
+    return scene;
+}
+
+} // namespace
+
+TEST(HeldFriction, bringsNoEnergyOntoABelt)
+{
+    for (double friction : {1.0, 1.5, 2.0, 1e6})
+    {
+        const Outcome outcome = run(tossedGrains(friction, 0.04), 2.5e-3, 200);
+        EXPECT_LE(outcome.atCap, 2) << friction;
+        EXPECT_GT(outcome.held, 0) << friction;
+        EXPECT_EQ(outcome.unnamed, 0) << friction;
+        EXPECT_EQ(outside(outcome), 0) << friction;
+        EXPECT_LT(outcome.lastEnergy, 1e-7) << friction;
+        EXPECT_LT(outcome.energy, 1e-6) << friction;   // that of the fall
+        EXPECT_LT(outcome.wallForce, 20.0) << friction;
+    }
+}
+
+// Where friction is not held the same scene creates energy, and says so.
+TEST(HeldFriction, andEnergyFromNowhereIsNamed)
+{
+    const Scene scene = tossedGrains(2.0, 0.04);
+    nscd::ContactSettings settings;
+    settings.strategy.held.isOn = false;
+    auto dynamics = scene.build(settings);
+    bool isNamed = false;
+    for (int k = 0; k < 40 && !isNamed; ++k)
+    {
+        const nscd::SolveReport report = step(dynamics, scene.g, 2.5e-3).solve;
+        isNamed = report.createdEnergy > 0.0 && nscd::warning(report).find("created") != std::string::npos;
+    }
+    EXPECT_TRUE(isNamed);
+}
+
+TEST(HeldFriction, isRareWhereNothingDrives)
+{
+    for (double friction : {1.0, 1.5, 2.0})
+    {
+        const Outcome outcome = run(tossedGrains(friction, 0.0), 2.5e-3, 200);
+        EXPECT_LE(outcome.atCap + outcome.held, 10) << friction;   // what is left at the cap does no harm
+        EXPECT_EQ(outside(outcome), 0) << friction;
+        EXPECT_LT(outcome.lastEnergy, 1e-8) << friction;
+    }
+}
+
+TEST(HeldFriction, boundsTheForcesOfAJam)
+{
+    for (double friction : {1.0, 1.2, 3.0})
+    {
+        const Outcome outcome = run(cornered(friction), 1e-3, 50);
+        EXPECT_EQ(outcome.atCap, 0) << friction;
+        EXPECT_GE(outcome.held, friction > 1.0 ? 40 : 1) << friction;   // it may climb the wall, or leave it for a step
+        EXPECT_EQ(outcome.unnamed, 0) << friction;
+        EXPECT_LT(outcome.wallForce, 20.0) << friction;
+        EXPECT_LT(outcome.overlap, 1e-3) << friction;
+    }
+    EXPECT_EQ(run(cornered(0.7), 1e-3, 50).held, 0);
+}
+
+TEST(HeldFriction, solvesAHeavyBallOnLightOnes)
+{
+    for (double aside : {0.0, 1e-6, 1e-5, 1e-4})
+    {
+        const Outcome outcome = run(ballOnFour(aside), 1e-3, 50);
+        EXPECT_EQ(outcome.atCap, 0) << aside;
+        EXPECT_LT(outcome.overlap, 1e-3) << aside;
+    }
+}
+
+TEST(HeldFriction, solvesMixesOfUnlikeSizes)
+{
+    const Outcome outcome = run(mixedSizes(300), 1e-3, 100);
+    EXPECT_LE(outcome.atCap, 5);
+    EXPECT_EQ(outcome.unnamed, 0);
+    EXPECT_LT(outcome.overlap, 2e-3);
+    EXPECT_LT(outcome.lastEnergy, 0.1*outcome.energy);
+}
+
+// What Coulomb's law has a solution for is solved by it.
+TEST(HeldFriction, becomesCoulombsWhereThatHasASolution)
+{
+    RandomProblem random(6);
+    for (nscd::ContactBlock& block : random.blocks)
+    {
+        for (int lane = 0; lane < nscd::blockLanes; ++lane)
+        {
+            for (int k = 0; k < 3; ++k) block.r[k][lane] = 0.0;
+            block.friction[lane] = 0.3;
+        }
+    }
+    nscd::ContactProblem problem = random.problem();
+    nscd::ContactSettings settings;
+    settings.tolerance = 1e-6;
+    settings.displacementTolerance = 1e-9;
+    settings.strategy.held.pressure = 1e3;
+    settings.strategy.held.sweeps = 1000;
+    const nscd::SolveReport report = nscd::solveHeld(problem, settings);
+    EXPECT_TRUE(report.converged);
+    EXPECT_FALSE(report.isHeld);
+    EXPECT_LE(report.residualRms, 1e-6);
+    for (const nscd::ContactBlock& block : random.blocks) EXPECT_EQ(block.friction[0], 0.3);
+}
+
+// |r_t| is the bound itself where a contact slides, whatever presses; by every vector path.
+TEST(HeldFriction, isBoundByANumber)
+{
+    for (const char* path : {"portable", "AVX2", "AVX512"})
+    {
+        if (!isAvailable(path)) continue;
+        RandomProblem random(1);
+        random.kernels = nscd::held(nscd::chooseKernels(path));
+        for (double& tau : random.blocks[0].friction) tau = 1e-3;
+        random.kernels.sweep(random.bodies.data(), random.blocks.data(), random.all());
+        const nscd::ContactBlock& block = random.blocks[0];
+        for (int lane = 0; lane < nscd::blockLanes; ++lane)
+        {
+            const Vec3 n(block.n[0][lane], block.n[1][lane], block.n[2][lane]), r(block.r[0][lane], block.r[1][lane], block.r[2][lane]);
+            EXPECT_NEAR((r - r.dot(n)*n).norm(), 1e-3, 1e-14) << path;
+        }
+        EXPECT_LT(random.kernels.evaluate(random.bodies.data(), random.blocks.data(), random.all()).maxSquare, 1e-24) << path;
+    }
+}
+
+TEST(FrictionBounds, giveCoefficientsBack)
+{
+    RandomProblem random(2);
+    nscd::ContactProblem problem = random.problem();
+    {
+        nscd::FrictionBounds bounds(problem);
+        EXPECT_EQ(random.blocks[1].friction[3], 0.0);
+        bounds.limit(0.25);
+        bounds.follow(1.0, true);
+        // r_n is 0.1 everywhere, a quarter of which and of the weight is less.
+        const double mobility = std::min(random.bodies[random.blocks[1].a[3]].invMass, random.bodies[random.blocks[1].b[3]].invMass);
+        EXPECT_NEAR(random.blocks[1].friction[3], 0.5*std::min(0.1, 0.25*(0.1 + 1.0/mobility)), 1e-15);
+        bounds.fade(0.5);
+        bounds.follow(1.0, false);
+        EXPECT_NEAR(random.blocks[1].friction[3], 0.25*std::min(0.1, 0.25*(0.1 + 1.0/mobility)), 1e-15);
+    }
+    EXPECT_EQ(random.blocks[1].friction[3], 0.5);
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Spheres of very unlike sizes that fall into a box and come to rest: steps that end at the cap of sweeps, with and without clusters.
+#include "unit/nscd/scenes/scenes.hpp"
+#include "../resources/bars.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <random>
+
+using namespace scenes;
+using bars::require;
+
+namespace
+{
+
+constexpr double deltaT = 1e-3;
+constexpr int steps = 150;
+
+struct Mix
+{
+    const char* name;
+    int count;
+    double smallest, largest;   ///< diameters [m]
+    bool areTwo;                ///< sizes, else all between
+    double mostAtCap;           ///< share of the steps: not converged, without a sweep left or held [%]
+};
+
+/// Radii, the largest first; each size has the same share of the volume, two sizes with one large sphere at least.
+std::vector<double> radiiOf(const Mix& mix, std::mt19937& random)
+{
+    std::uniform_real_distribution<double> unit(0, 1);
+    const double ofSmallest = std::pow(mix.smallest, -2), ofLargest = std::pow(mix.largest, -2);
+    std::vector<double> radii;
+    for (int k = 0; k < mix.count; ++k)
+    {
+        const bool isLarge = unit(random) < std::pow(mix.smallest/mix.largest, 3) || k == 0;
+        if (mix.areTwo) radii.push_back(0.5*(isLarge ? mix.largest : mix.smallest));
+        else radii.push_back(0.5/std::sqrt(ofLargest + unit(random)*(ofSmallest - ofLargest)));
+    }
+    std::sort(radii.begin(), radii.end(), std::greater<double>());
+    return radii;
+}
+
+/// Spheres at random places of a box, a quarter of it or less, without overlap.
+Scene scatter(const Mix& mix)
+{
+    Scene scene(3, 0.5, 0.0);
+    std::mt19937 random(3);
+    const std::vector<double> radii = radiiOf(mix, random);
+    double volume = 0.0;
+    for (double r : radii) volume += 4.19*r*r*r;
+    const double width = std::max(2.2*mix.largest, std::cbrt(volume/0.25)), height = std::max(1.5*mix.largest, volume/0.2/width/width);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const nscd::Grains& placed = scene.grains;
+    while (placed.size() < radii.size())
+    {
+        const double r = radii[placed.size()], room = 1.01*r;
+        const Vec3 x(room + (width - 2*room)*unit(random), room + (width - 2*room)*unit(random), room + (height - 2*room)*unit(random));
+        bool isFree = true;
+        for (std::size_t i = 0; i < placed.size() && isFree; ++i) isFree = (x - placed.position[i]).norm() > 1.01*(r + placed.radius[i]);
+        if (isFree) scene.addGrain(x, r);
+    }
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    for (int axis = 0; axis < 2; ++axis)
+    {
+        scene.addPlane(Vec3::Zero(), Vec3::Unit(axis));
+        scene.addPlane(width*Vec3::Unit(axis), -Vec3::Unit(axis));
+    }
+    return scene;
+}
+
+/// Runs a mix; returns the steps that did not converge, but for those whose forces alone are off.
+int fall(const Mix& mix, bool haveClusters)
+{
+    nscd::ContactSettings settings;
+    settings.strategy.clusters.isOn = haveClusters;
+    auto dynamics = scatter(mix).build(settings);
+    int off = 0;
+    double sweeps = 0.0, contacts = 0.0, overlap = 0.0;
+    const std::clock_t begun = std::clock();
+    for (int k = 0; k < steps; ++k)
+    {
+        const nscd::StepReport report = step(dynamics, Vec3(0, 0, -gravity), deltaT);
+        off += report.solve.atCap || report.solve.isHeld;
+        sweeps += report.solve.sweeps;
+        contacts += static_cast<double>(report.solve.contacts);
+        overlap = std::max(overlap, report.overlapMax);
+    }
+    const double seconds = static_cast<double>(std::clock() - begun)/CLOCKS_PER_SEC;
+    std::printf("%s, %s: %d of %d steps at the cap or held, %.0f sweeps a step, %.2g us a loaded contact and step, overlap %.2g d\n", mix.name,
+        haveClusters ? "clusters" : "no clusters", off, steps, sweeps/steps, 1e6*seconds/std::max(1.0, contacts), overlap);
+    return off;
+}
+
+} // namespace
+
+int main()
+{
+    // The aim is 1 %. The first mix misses it: src/nscd/measured.md, section 12.
+    const Mix mixes[] =
+    {
+        {"2000 of 0.5 to 10 mm", 2000, 0.5e-3, 10e-3, false, 5.0},
+        {"3000 of 0.5 and 10 mm", 3000, 0.5e-3, 10e-3, true, 1.0},
+        {"1500 of 0.2 to 10 mm", 1500, 0.2e-3, 10e-3, false, 1.0},
+    };
+    for (const Mix& mix : mixes)
+    {
+        const int without = fall(mix, false), off = fall(mix, true);
+        require("steps at the cap or held, %", 100.0*off/steps, mix.mostAtCap);
+        require("over those without clusters", static_cast<double>(off)/std::max(1, without), 0.5);
+    }
+    fall({"2000 of 2 mm, for comparison", 2000, 2e-3, 2.0001e-3, false, 0.0}, true);
+    return bars::status();
+}
