@@ -62,7 +62,7 @@ constexpr double never = 2.0;
 /// is where it starts are seen from; never, if not. `start`: where it is at `from`.
 double timeOfTouch(const Vec3& start, const Vec3& way, double from, double to, const Touch& touch);
 
-/// Whether a body moves by itself: neither held nor a member of a clump.
+/// Whether a body moves by itself: neither held nor a member of a general body.
 bool fliesAlone(const ContactList& list, int body);
 
 } // namespace nscd
