@@ -80,8 +80,8 @@ tmp<surfaceScalarField> weightedFlux(const volVectorField& cells, const autoPtr<
     return response->chiFace*fluxOnTheWay(cells/response->chi);
 }
 
-// Volume flux of the grains in the fluid as it is now, in cells. Only what the fluid changes is then taken from the faces: a product of
-// two means is not the mean of the product, and a raft one cell high would hover on the difference.
+// Volume flux of the grains in the fluid as it is now, in cells. On faces only what the fluid changes is added: the mean of Y G is not
+// the product of two means, and a raft of grains one cell high would hover on the difference (src/coupling/method.md).
 tmp<volVectorField> presentFlux(const GrainSources& sources, const FluidFields& fields, const dimensionedScalar& rho)
 {
     return sources.carried + sources.slip*fields.U - sources.mobility*fields.balancedGradient/rho;
@@ -108,8 +108,7 @@ List<Border> bordersOf(const FluidFields& fields)
 
 ResponseTerms::ResponseTerms
 (
-    const GrainSources& sources, const FluidFields& fields, const surfaceScalarField& gradientFlux,
-    const dimensionedScalar& rho, const List<Border>& borders
+    const GrainSources& sources, const FluidFields& fields, const dimensionedScalar& rho, const List<Border>& borders
 )
 :
     chi("chi", 1 + sources.pressure/sources.fluidFraction),
@@ -118,17 +117,16 @@ ResponseTerms::ResponseTerms
     carried("carriedFlux", motionOnFaces(fluxOf(presentFlux(sources, fields, rho)), borders)),
     mobility("mobilityFace", motionOnFaces(linearInterpolate(sources.mobility), borders))
 {
-    carried += mobility*gradientFlux - slip*fields.phi;
+    carried += mobility*fluxOf(fields.balancedGradient/rho) - slip*fluxOf(sources.fluidFraction*fields.U);
 }
 
 
 GrainFaceTerms::GrainFaceTerms
 (
-    const GrainSources& sources, const FluidFields& fields, const surfaceScalarField& gradientFlux,
-    const dimensionedScalar& rho, const List<Border>& borders
+    const GrainSources& sources, const FluidFields& fields, const dimensionedScalar& rho, const List<Border>& borders
 )
 :
-    response(sources.hasResponse ? new ResponseTerms(sources, fields, gradientFlux, rho, borders) : nullptr),
+    response(sources.hasResponse ? new ResponseTerms(sources, fields, rho, borders) : nullptr),
     resistance("resistance", sources.drag/sqr(sources.fluidFraction)),
     resistanceFace("resistanceFace", forceOnFaces(weightedMean(resistance, response), borders)),
     force("explicitForce", explicitForce(sources, fields)),

@@ -9,7 +9,6 @@
 #include "constrainPressure.H"
 #include "findRefCell.H"
 #include "fvcDiv.H"
-#include "fvcSnGrad.H"
 #include "fvmLaplacian.H"
 #include "linear.H"
 #include "surfaceInterpolate.H"
@@ -131,14 +130,6 @@ tmp<surfaceScalarField> PressureCorrection::balanceMixture
     const label refCell = fields.pRgh.needReference() ? refCell_ : Pstream::master() ? 0 : -1;
     meanFlow_.hold(mixtureFlux_(), gradientFlux.ref(), fields.pRgh, mixture.mobility, rho, refCell);
     return gradientFlux;
-}
-
-
-tmp<surfaceScalarField> PressureCorrection::gradientFlux(const volScalarField& pRgh, const dimensionedScalar& rho) const
-{
-    tmp<surfaceScalarField> flux(fvc::snGrad(pRgh)*mesh_.magSf()/rho);
-    if (meanFlow_.isHeld()) flux.ref() += meanFlow_.gradientFlux(rho);
-    return flux;
 }
 
 
