@@ -82,7 +82,7 @@ void FluidSolver::solveOuterLoop()
 void FluidSolver::solveWithGrains()
 {
     const List<Border> borders(bordersOf(fields_));
-    const GrainFaceTerms terms(sources_, fields_, borders);
+    const GrainFaceTerms terms(sources_, fields_, rho(), borders);
 
     const tmp<surfaceScalarField> convecting(latest(fields_.phi, pimple_));
     const tmp<fvVectorMatrix> minusDivTau(turbulence_.minusDivTau(fields_.U, latest(fields_.U, pimple_)()));

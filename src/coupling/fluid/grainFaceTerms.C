@@ -80,6 +80,13 @@ tmp<surfaceScalarField> weightedFlux(const volVectorField& cells, const autoPtr<
     return response->chiFace*fluxOnTheWay(cells/response->chi);
 }
 
+// Volume flux of the grains in the fluid as it is now, in cells. On faces only what the fluid changes is added: the mean of Y G is not
+// the product of two means, and a raft of grains one cell high would hover on the difference (src/coupling/method.md).
+tmp<volVectorField> presentFlux(const GrainSources& sources, const FluidFields& fields, const dimensionedScalar& rho)
+{
+    return sources.carried + sources.slip*fields.U - sources.mobility*fields.balancedGradient/rho;
+}
+
 tmp<volVectorField> explicitForce(const GrainSources& sources, const FluidFields& fields)
 {
     tmp<volVectorField> force(sources.acceleration/sources.fluidFraction);
@@ -99,22 +106,27 @@ List<Border> bordersOf(const FluidFields& fields)
 }
 
 
-ResponseTerms::ResponseTerms(const GrainSources& sources, const List<Border>& borders)
+ResponseTerms::ResponseTerms
+(
+    const GrainSources& sources, const FluidFields& fields, const dimensionedScalar& rho, const List<Border>& borders
+)
 :
     chi("chi", 1 + sources.pressure/sources.fluidFraction),
     chiFace("chiFace", 1/meanOnTheWay<scalar>(1/chi)),
     slip("slipFace", motionOnFaces(linearInterpolate(sources.slip/sources.fluidFraction), borders)),
-    carried("carriedFlux", motionOnFaces(fluxOf(sources.carried), borders)),
+    carried("carriedFlux", motionOnFaces(fluxOf(presentFlux(sources, fields, rho)), borders)),
     mobility("mobilityFace", motionOnFaces(linearInterpolate(sources.mobility), borders))
-{}
+{
+    carried += mobility*fluxOf(fields.balancedGradient/rho) - slip*fluxOf(sources.fluidFraction*fields.U);
+}
 
 
 GrainFaceTerms::GrainFaceTerms
 (
-    const GrainSources& sources, const FluidFields& fields, const List<Border>& borders
+    const GrainSources& sources, const FluidFields& fields, const dimensionedScalar& rho, const List<Border>& borders
 )
 :
-    response(sources.hasResponse ? new ResponseTerms(sources, borders) : nullptr),
+    response(sources.hasResponse ? new ResponseTerms(sources, fields, rho, borders) : nullptr),
     resistance("resistance", sources.drag/sqr(sources.fluidFraction)),
     resistanceFace("resistanceFace", forceOnFaces(weightedMean(resistance, response), borders)),
     force("explicitForce", explicitForce(sources, fields)),

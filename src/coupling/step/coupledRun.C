@@ -111,17 +111,17 @@ GrainResponse CoupledRun::predictResponse()
     external.speedScale = forces_.speedScale(forceInputs(), step_.exchanged, step_.drag, deltaT, *ranks_.exchange());
     dynamics_->beginStep(deltaT);
     ::nscd::Prediction prediction = freePrediction(grains, external, deltaT);
-    std::vector<scalar> mobility(grains.size(), 1.0);
+    std::vector<Mobility> mobility(grains.size());
     if (dynamics_->hasContacts())
     {
         prediction = dynamics_->predict(external);
         const TrialPush push = makeTrialPush(grains, step_.force, step_.drag, step_.at, external, deltaT);
         const ::nscd::Prediction pushed = dynamics_->tryForces(push.external);
-        mobility = followedShare(push, step_.force, prediction, pushed);
+        mobility = mobilities(push, prediction, pushed);
         step_.predictorSweeps = prediction.solve.sweeps + pushed.solve.sweeps;
         step_.predictorConverged = prediction.solve.converged && pushed.solve.converged;
     }
-    return contactAwareResponse(grains, step_.drag, step_.at, prediction, mobility, forces_.followPressure(), deltaT);
+    return contactAwareResponse(forceInputs(), step_.drag, prediction, mobility, forces_.followPressure(), deltaT);
 }
 
 void CoupledRun::solveFluid()

@@ -17,6 +17,15 @@ namespace
 /// The trial push against the speed scale of the step: well above the contact tolerance, well below what moves a bed.
 constexpr scalar pushShare = 0.1;
 
+/// s of a touched grain; exchange: gamma dt [kg].
+scalar boundedSlip(scalar slip, const ForceInputs& in, scalar exchange, std::size_t i)
+{
+    if (slip <= looseSlip) return slip;
+    const scalar alpha = in.at.fluidFraction[i];
+    const scalar fluidShare = in.fluidDensity*alpha*in.grains.volume(i)/std::max((1 - alpha)*exchange, VSMALL);
+    return std::min(slip, looseSlip*(1 + fluidShare));
+}
+
 } // namespace
 
 TrialPush makeTrialPush
@@ -35,30 +44,28 @@ TrialPush makeTrialPush
     return push;
 }
 
-std::vector<scalar> followedShare
-(
-    const TrialPush& push, const std::vector<Vec3>& force, const ::nscd::Prediction& before, const ::nscd::Prediction& after
-)
+std::vector<Mobility> mobilities(const TrialPush& push, const ::nscd::Prediction& before, const ::nscd::Prediction& after)
 {
-    std::vector<scalar> share(push.direction.size(), 1.0);
-    if (push.speed <= 0) return share;
-    for (std::size_t i = 0; i < share.size(); ++i)
+    std::vector<Mobility> all(push.direction.size());
+    if (push.speed <= 0) return all;
+    for (std::size_t i = 0; i < all.size(); ++i)
     {
         // A grain that meets none is free to the last digit; the quotient below would not say so.
-        if (before.contactForce[i] == Vec3::Zero() && after.contactForce[i] == Vec3::Zero()) continue;
+        all[i].isTouched = before.contactForce[i] != Vec3::Zero() || after.contactForce[i] != Vec3::Zero();
+        if (!all[i].isTouched) continue;
         const scalar followed = push.direction[i].dot(after.velocity[i] - before.velocity[i])/push.speed;
-        const scalar unborne = 1.0 - before.contactForce[i].norm()/std::max(force[i].norm(), VSMALL);
-        share[i] = std::max(0.0, std::min({1.0, followed, unborne}));
+        all[i].share = std::max(0.0, std::min(1.0, followed));
     }
-    return share;
+    return all;
 }
 
 GrainResponse contactAwareResponse
 (
-    const ::nscd::Grains& grains, const LinearDrag& drag, const FluidAtGrains& at,
-    const ::nscd::Prediction& prediction, const std::vector<scalar>& mobility, bool feelsPressure, scalar deltaT
+    const ForceInputs& in, const LinearDrag& drag, const ::nscd::Prediction& prediction, const std::vector<Mobility>& mobility,
+    bool feelsPressure, scalar deltaT
 )
 {
+    const ::nscd::Grains& grains = in.grains;
     GrainResponse response;
     response.intercept = prediction.velocity;
     response.slip.assign(grains.size(), 0.0);
@@ -66,13 +73,15 @@ GrainResponse contactAwareResponse
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         if (grains.isFixed[i]) continue;
-        const scalar gain = mobility[i]*drag.velocityFactor[i]*deltaT/grains.mass[i];
-        response.slip[i] = gain*(drag.implicit[i] + drag.remainder[i]);
-        response.intercept[i] -= response.slip[i]*at.velocity[i];
+        const scalar gain = mobility[i].share*drag.velocityFactor[i]*deltaT/grains.mass[i];
+        const scalar gamma = drag.implicit[i] + drag.remainder[i];
+        response.slip[i] = gain*gamma;
+        if (mobility[i].isTouched) response.slip[i] = boundedSlip(response.slip[i], in, gamma*deltaT, i);
+        response.intercept[i] -= response.slip[i]*in.at.velocity[i];
         if (feelsPressure)
         {
             response.mobility[i] = gain*grains.volume(i);
-            response.intercept[i] += response.mobility[i]*at.pressureGradient[i];
+            response.intercept[i] += response.mobility[i]*in.at.pressureGradient[i];
         }
         response.isZero = response.isZero && gain == 0;
     }

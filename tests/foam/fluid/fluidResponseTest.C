@@ -109,6 +109,28 @@ TEST(fluidResponse, layersShareTheFluxAndSplitTheGradient)
     expectState(tube, 30, solved(dilute, 0, 0), 1e-6);
 }
 
+// A raft of grains in a single cell, its faces shared with cells without any: it sinks through the fluid that it displaces.
+// Equation: (1 + k) v1 = v0 + k (u - V G/gamma - w), V/gamma = solid/(rho drag), w the slip speed in fluid without a gradient.
+// On the faces half of its flux is met by alpha u: (alpha + solid/2) v = -alpha^2 w, where a thick layer has v = -alpha^2 w.
+TEST(fluidResponse, aRaftOneCellHighSinks)
+{
+    const scalar solid = 2.0/3, fluid = 1 - solid, drag = 5e4, k = 100, s = 0.3, share = k/(1 + k), w = 0.1;
+    const scalar perGradient = share*solid/(rho*drag);
+    FluidCase tube(periodicTube(9));
+    tube.setMeanFlow(Zero);
+    scalar v = 0;
+    for (label i = 0; i < 100; ++i)
+    {
+        const scalar u = tube.fluid().U()[4].x(), gradient = tube.fluid().balancedPressureGradient()[4].x();
+        v = v/(1 + k) + share*(u - w) - perGradient*gradient;
+        const scalar a = v - s*u + perGradient*gradient;
+        const Response none{1, 0, 0, 0, 0, 0, 0};
+        const Response raft{fluid, drag*(1 - s), drag*a, share*solid, solid*a, solid*s, share*sqr(solid)/drag};
+        tube.step([&] { setSources(tube.sources(), [&](const point& x) { return mag(x.x() - 0.5) < 0.05 ? raft : none; }); });
+    }
+    EXPECT_NEAR(v/(-sqr(fluid)*w/(fluid + solid/2)), 1, 0.05);
+}
+
 // Cells that grow by 1.4, from one to the next as different as suspensions are: what all cells feel of the pressure is what the ends do.
 TEST(fluidResponse, gradientsSumToTheForceOnTheEndsInGrowingCells)
 {
