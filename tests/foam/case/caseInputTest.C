@@ -171,6 +171,8 @@ TEST(GrainProperties, functionsOfTimeAreOpenFOAMs)
     EXPECT_NEAR(speedAt("{ type sine; frequency table ((0 1)); amplitude 2; scale (1 0 0); level (0 3 0); }", 0.25).x(), 2, 1e-15);
     EXPECT_TRUE(holds(complaintAbout(first + "driven { a { ids (0); velocity polynomial (((1 0 0) (2 0 0))) 7; } }"),
         {"keyword driven.a.velocity goes on after its function of time", "value:   7"}));
+    EXPECT_TRUE(holds(complaintAbout(first + "driven { a { ids (0); velocity sine 7; velocityCoeffs { frequency table ((0 1)); "
+        "amplitude 2; scale (1 0 0); level (0 3 0); } } }"), {"keyword driven.a.velocity goes on after its function of time", "value:   7"}));
     EXPECT_TRUE(holds(complaintAbout(first + "driven { a { ids (0); velocity polynomal (((1 0 0) (2 0 0))); } }"),
         {"keyword driven.a.velocity is no function of time", "nearest: polynomial"}));
 }

@@ -6,6 +6,8 @@
 
 #include "IFstream.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -24,7 +26,9 @@ void fail(const input::Mistake& mistake)
 Place placeOf(const dictionary& dict)
 {
     const string top = dict.topDict().name(), name = dict.name();
-    const string path = name.size() > top.size() + 1 ? string(name.substr(top.size() + 1)) : string();
+    string path = name.size() > top.size() + 1 ? string(name.substr(top.size() + 1)) : string();
+    // v2312 and later join the names of dictionaries by /, before by a dot.
+    std::replace(path.begin(), path.end(), '/', '.');
     return {top, int(max(label(0), dict.startLineNumber())), path};
 }
 
