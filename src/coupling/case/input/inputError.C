@@ -4,9 +4,9 @@
 // From mistakes to OpenFOAM's FatalIOError.
 #include "coupling/case/input/inputError.H"
 
-#include "IFstream.H"
+#include "coupling/base/openFoamVersions.H"
 
-#include <algorithm>
+#include "IFstream.H"
 
 namespace Foam
 {
@@ -25,11 +25,7 @@ void fail(const input::Mistake& mistake)
 
 Place placeOf(const dictionary& dict)
 {
-    const string top = dict.topDict().name(), name = dict.name();
-    string path = name.size() > top.size() + 1 ? string(name.substr(top.size() + 1)) : string();
-    // v2312 and later join the names of dictionaries by /, before by a dot.
-    std::replace(path.begin(), path.end(), '/', '.');
-    return {top, int(max(label(0), dict.startLineNumber())), path};
+    return {dict.topDict().name(), int(max(label(0), dict.startLineNumber())), dottedName(dict)};
 }
 
 
