@@ -5,6 +5,7 @@
 // Tested by tests/foam/program/caseProgramTest.C
 #include "coupling/step/coupledRun.H"
 
+#include "coupling/base/openFoamVersions.H"
 #include "coupling/base/vectorConversion.H"
 #include "coupling/case/files/runState.H"
 #include "coupling/case/files/writtenFiles.H"
@@ -20,20 +21,10 @@ namespace nscdCoupling
 namespace
 {
 
-/// What linear solvers have said in this step; from v2312 on a mesh holds its data, before it is them.
-const dictionary& performance(const fvMesh& mesh)
-{
-#if OPENFOAM >= 2312
-    return mesh.data().solverPerformanceDict();
-#else
-    return mesh.data::solverPerformanceDict();
-#endif
-}
-
 label pressureIterations(const fvMesh& mesh)
 {
     List<SolverPerformance<scalar>> solves;
-    if (!performance(mesh).readIfPresent("p_rgh", solves)) return 0;
+    if (!performanceOfSolvers(mesh).readIfPresent("p_rgh", solves)) return 0;
     label sum = 0;
     for (const auto& solve : solves) sum += solve.nIterations();
     return sum;

@@ -3,6 +3,7 @@
 //
 // Writing and reading clouds.
 #include "coupling/case/files/cloudFiles.H"
+#include "coupling/base/openFoamVersions.H"
 #include "coupling/case/files/processorNames.H"
 #include "coupling/case/files/writtenFiles.H"
 #include "coupling/case/input/inputError.H"
@@ -51,11 +52,7 @@ CloudWriter::CloudWriter
     const polyMesh& mesh, const word& name, const List<vector>& positions, const labelUList& cells, const labelUList& ids
 )
 :
-#if OPENFOAM >= 2312
-    cloud_(mesh, Foam::zero{}, name)
-#else
-    cloud_(mesh, name, IDLList<passiveParticle>())
-#endif
+    cloud_(emptyCloud(mesh, name))
 {
     forAll(positions, i)
     {

@@ -52,11 +52,14 @@ private:
     std::shared_ptr<const Function1<Type>> read(const std::string& keyword) const
     {
         const std::shared_ptr<const Function1<Type>> function(Function1<Type>::New(keyword, dict_).release());
-        const auto* value = isA<primitiveEntry>(*dict_.findEntry(keyword, keyType::LITERAL));
-        if (value && value->nRemainingTokens() > 0)
+        if (const auto* value = isA<primitiveEntry>(*dict_.findEntry(keyword, keyType::LITERAL)))
         {
-            const token& rest = (*value)[value->size() - value->nRemainingTokens()];
-            throw input::InputError({placeOf(dict_, keyword), "goes on after its function of time", messageText(rest)});
+            // Of `sine;` with its numbers in a dictionary of their own, later versions than v1912 only look at the word.
+            const label read = max(label(1), value->size() - value->nRemainingTokens());
+            if (read < value->size())
+            {
+                throw input::InputError({placeOf(dict_, keyword), "goes on after its function of time", messageText((*value)[read])});
+            }
         }
         return function;
     }

@@ -4,6 +4,8 @@
 // From mistakes to OpenFOAM's FatalIOError.
 #include "coupling/case/input/inputError.H"
 
+#include "coupling/base/openFoamVersions.H"
+
 #include "IFstream.H"
 
 namespace Foam
@@ -23,9 +25,7 @@ void fail(const input::Mistake& mistake)
 
 Place placeOf(const dictionary& dict)
 {
-    const string top = dict.topDict().name(), name = dict.name();
-    const string path = name.size() > top.size() + 1 ? string(name.substr(top.size() + 1)) : string();
-    return {top, int(max(label(0), dict.startLineNumber())), path};
+    return {dict.topDict().name(), int(max(label(0), dict.startLineNumber())), dottedName(dict)};
 }
 
 
