@@ -128,7 +128,8 @@ struct SolverStrategy
         bool isOn = true;
         double overlap = 1e-2;              ///< that the largest defect of a step at the cap makes within it, from which friction is held [mean diameters]
         double jam = 1e4;                   ///< impulse of a contact over the sum of what contacts give the grains [-], from which friction is held whatever the residual
-        double frictionToJam = 1.0;         ///< of any pair, from which impulses may grow within few sweeps [-]; they are looked at after every solve then
+        double energy = 10.0;               ///< most that the tolerance may have of energy made, over that of the free motion [-]
+        double frictionToJam = 1.0;         ///< of any pair, from which impulses may grow within few sweeps [-]: they are looked at after every solve then, and a step at the cap counts as one without solution
         int sweepsToJam = 100;              ///< else after solves as long as this
         double jamAtCap = 1.0;              ///< the same of a step at the cap; a bed from cold stays below 1
         int following = 20, falling = 10;   ///< rounds in which bounds of friction follow what presses, then may only fall

@@ -13,11 +13,13 @@
 namespace nscd
 {
 
-/// Whether what a solve left at the cap makes energy, or grains overlap. Else it is a solution that is not yet sharp, as of a bed from cold,
-/// and nearer to Coulomb's law than friction that is held.
+/// Whether what a solve left at the cap makes energy, or grains overlap, or may have no solution at all for the friction there is. Else it is a
+/// solution that is not yet sharp, as of a bed from cold, and nearer to Coulomb's law than friction that is held.
 bool GrainDynamics::Implementation::isHarmful(const SolveReport& report) const
 {
-    return report.atCap && (report.createdEnergy > 0.0 || report.residualMax*deltaT > settings.strategy.held.overlap*diameter);
+    const SolverStrategy::Held& strategy = settings.strategy.held;
+    const bool mayHaveNone = materials.largestFriction() >= strategy.frictionToJam;
+    return report.atCap && (mayHaveNone || report.createdEnergy > 0.0 || report.residualMax*deltaT > strategy.overlap*diameter);
 }
 
 /// Whether a contact carries far more than all contacts together give the grains: where Coulomb's law has no solution impulses grow until what they
@@ -53,7 +55,20 @@ SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& ex
     return solveHeld(problem, settings);
 }
 
+/// Kinetic energy of what moves here [J], without the spins.
+double GrainDynamics::Implementation::translationalEnergy() const
+{
+    double sum = 0.0;
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        const Body& each = list.bodies[body];
+        if (each.invMass > 0.0) sum += 0.5*Vec3(each.v).squaredNorm()/each.invMass;
+    }
+    return list.halo.sum(sum);
+}
+
 /// Work of the impulses [J], where it is positive beyond what the tolerance may have of it. A solution has r.(u^- + u)/2 <= 0 at every contact.
+/// The tolerance may have little of large impulses, and those of a jam are of any size: no more than some times the energy there was.
 double GrainDynamics::Implementation::createdEnergy(const ExternalForces& external, const SolveReport& report)
 {
     // Attraction is part of the free motion, and not of the velocities before contact that are known here.
@@ -61,10 +76,11 @@ double GrainDynamics::Implementation::createdEnergy(const ExternalForces& extern
     std::vector<Body> solved = list.bodies;
     setFreeVelocities(list, grains, external, deltaT, sleep);
     if (!list.general.empty()) mirrorFreeGeneral(list, list.bodies);
+    const double most = settings.strategy.held.energy*translationalEnergy();
     solved.swap(list.bodies);
     const double residual = settings.tolerance*report.speedScale*std::sqrt(static_cast<double>(report.contacts));
     const ShockWork account = shockWork(list, solved, residual);
-    return std::max(0.0, account.work - account.residualWork);
+    return std::max(0.0, account.work - std::min(account.residualWork, most));
 }
 
 } // namespace nscd

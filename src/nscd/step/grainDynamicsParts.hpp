@@ -108,6 +108,7 @@ struct GrainDynamics::Implementation
     bool isHarmful(const SolveReport& report) const;
     bool isJammed(const SolveReport& report, const ContactProblem& problem) const;
     SolveReport holdFriction(const ExternalForces& external);
+    double translationalEnergy() const;
     double createdEnergy(const ExternalForces& external, const SolveReport& report);
     SolveReport solveAndWake(const ExternalForces& external);
     void holdWholeList();

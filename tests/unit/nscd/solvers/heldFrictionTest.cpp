@@ -165,7 +165,7 @@ TEST(HeldFriction, andEnergyFromNowhereIsNamed)
     settings.strategy.held.isOn = false;
     auto dynamics = scene.build(settings);
     bool isNamed = false;
-    for (int k = 0; k < 40 && !isNamed; ++k)
+    for (int k = 0; k < 100 && !isNamed; ++k)
     {
         const nscd::SolveReport report = step(dynamics, scene.g, 2.5e-3).solve;
         isNamed = report.createdEnergy > 0.0 && nscd::warning(report).find("created") != std::string::npos;
@@ -178,7 +178,8 @@ TEST(HeldFriction, isRareWhereNothingDrives)
     for (double friction : {1.0, 1.5, 2.0})
     {
         const Outcome outcome = run(tossedGrains(friction, 0.0), 2.5e-3, 200);
-        EXPECT_LE(outcome.atCap + outcome.held, 10) << friction;   // what is left at the cap does no harm
+        EXPECT_LE(outcome.atCap, 2) << friction;
+        EXPECT_LE(outcome.held, 20) << friction;   // 1 to 7, where grains fall on one another
         EXPECT_EQ(outside(outcome), 0) << friction;
         EXPECT_LT(outcome.lastEnergy, 1e-8) << friction;
     }
