@@ -170,7 +170,9 @@ void CoupledRun::advanceGrains()
 {
     const ::nscd::Grains& grains = dynamics_->grains();
     ::nscd::ExternalForces external = forces_.external(forceInputs(), step_.force, drag);
-    external.speedScale = forces_.speedScale(forceInputs(), step_.exchanged, drag, deltaT, *ranks_.exchange());
+    // Without a fluid weight acts alone, and no mean over grains rounds it: nscdGrains computes the same, to the bit.
+    external.speedScale = hasFluid()
+        ? forces_.speedScale(forceInputs(), step_.exchanged, drag, deltaT, *ranks_.exchange()) : forceInputs().gravity.norm()*deltaT;
 
     const std::vector<Vec3> before = drag.implicit.empty() ? std::vector<Vec3>() : grains.velocity;
     dynamics_->beginStep(deltaT);

@@ -19,7 +19,8 @@ namespace nscd
 namespace
 {
 
-/// Sweeps with the momentum of a problem that is convex: restarted where it goes uphill, it may be large.
+/// Sweeps with the momentum of a problem that is convex: restarted where it goes uphill, it may be large. None with general bodies, for which
+/// momentum would put impulses back on the cones of Coulomb's law.
 class ConvexHelp
 {
 public:
@@ -32,6 +33,7 @@ public:
     DefectSums pass() { return sweepActive(problem_, momentum_->forNextSweep()); }
     int afterSweep(int, const DefectSums& sums, const StopRule& rule)
     {
+        if (problem_.general) return 0;
         if (rule.isMet(sums)) momentum_->forget();
         else momentum_->advance();
         return 0;
@@ -57,6 +59,7 @@ ContactProblem heldProblem(const ContactProblem& problem, const SweepKernels& ke
     convex.motion = problem.motion;
     convex.isDriven = problem.isDriven;
     convex.freeVelocity = problem.freeVelocity;
+    convex.general = problem.general;
     return convex;
 }
 
@@ -69,6 +72,7 @@ FrictionBounds::~FrictionBounds() { swap(); }
 void FrictionBounds::swap()
 {
     for (std::size_t k = 0; k < problem_.blocks.size(); ++k) std::swap_ranges(problem_.blocks[k].friction, problem_.blocks[k].friction + blockLanes, &other_[k*blockLanes]);
+    if (problem_.general) problem_.general->isFrictionHeld = !problem_.general->isFrictionHeld;
 }
 
 double FrictionBounds::normalImpulse(std::size_t slot) const

@@ -104,7 +104,7 @@ struct GrainDynamics::Implementation
     bool areWallsDriving(double speedScale) const;
     void prepareSolve(const ExternalForces& external);
     SolveReport solveOnce(const ExternalForces& external);
-    bool mayHoldFriction() const { return isFrictional && list.general.empty() && settings.strategy.held.isOn; }
+    bool mayHoldFriction() const { return isFrictional && settings.strategy.held.isOn; }
     bool isHarmful(const SolveReport& report) const;
     bool isJammed(const SolveReport& report, const ContactProblem& problem) const;
     SolveReport holdFriction(const ExternalForces& external);

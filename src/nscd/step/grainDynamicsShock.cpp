@@ -38,6 +38,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     {
         Shock start = inelastic;
         list.bodies = std::move(start.bodies);
+        list.general.bodies = std::move(start.general);
         swapImpulses(list, start.impulses, start.ofLaws);
         shock = together(shock, solveHeld(problem, shockSettings));
     }

@@ -7,7 +7,6 @@
 #include "nscd/base/invalidValue.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 namespace nscd
@@ -84,10 +83,7 @@ ExternalForces gravityForces(const Grains& grains, const Vec3& gravity, double d
     ExternalForces forces;
     forces.force.reserve(grains.size());
     for (const double mass : grains.mass) forces.force.push_back(mass*gravity);
-    // Not |g| dt, which differs in round-off: a coupled run, which takes the mean over the grains, then gives the same to the bit.
-    double sum = 0.0;
-    for (const double mass : grains.mass) sum += std::pow(deltaT/mass*mass, 2)*gravity.squaredNorm();
-    forces.speedScale = std::sqrt(sum/static_cast<double>(std::max<std::size_t>(1, grains.size())));
+    forces.speedScale = gravity.norm()*deltaT;
     return forces;
 }
 

@@ -44,7 +44,7 @@ void addLattice(Grains& grains, const GrainLattice& lattice, double density, int
 void addBox(Walls& walls, int patch, const Vec3& lower, const Vec3& upper);
 
 /// The grains' weight m g as forces for steps of length deltaT [s]; to be made anew when grains or step change.
-/// Units:  gravity [m/s2]; speedScale = |g| dt but for round-off, 0 without grains
+/// Units:  gravity [m/s2]; speedScale = |g| dt
 ExternalForces gravityForces(const Grains& grains, const Vec3& gravity, double deltaT);
 
 } // namespace nscd

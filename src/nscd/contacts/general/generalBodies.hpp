@@ -57,6 +57,7 @@ struct GeneralBodies
     std::vector<int> memberOf;         ///< of each own body, -1: a single grain
     std::size_t firstBlock = 0;
     std::vector<GeneralSlot> slots;      ///< of blocks from firstBlock on
+    bool isFrictionHeld = false;         ///< the friction of a block is the bound itself [N s], while solvers/heldFriction.hpp says so
 
     bool empty() const { return bodies.empty(); }
     /// One body for all members of a general body, the first of them; others stand for themselves.

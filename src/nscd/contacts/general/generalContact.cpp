@@ -134,4 +134,15 @@ Vec3 solveCoulomb(const GeneralContact& contact, const Vec3& freeVelocity)
     return frictionless;
 }
 
+Vec3 approachTresca(const GeneralContact& contact, const Vec3& r, const Vec3& u)
+{
+    const Vec3& n = contact.n;
+    const double rn = n.dot(r), wnn = n.dot(contact.w*n), pn = std::max(0.0, rn - (n.dot(u) + contact.bias)/wnn);
+    const Vec3 pushed = u + (pn - rn)*(contact.w*n);
+    Vec3 pt = (r - rn*n) - (pushed - n.dot(pushed)*n)/(contact.w.trace() - wnn);
+    const double size = pt.norm();
+    if (size > contact.friction) pt *= contact.friction/size;
+    return pn*n + pt;
+}
+
 } // namespace nscd

@@ -26,4 +26,9 @@ struct GeneralContact
 /// large friction off the center allows, the one nearest to where Newton's method starts.
 Vec3 solveCoulomb(const GeneralContact& contact, const Vec3& freeVelocity);
 
+/// A step towards the impulse with |r_t| <= tau, whatever presses (Tresca's law), from r and u = W r + u_free. The contact's `friction` is tau [N s].
+/// The normal part with the tangential held, then that with the normal held: p_t = P(r_t - u_t/(tr W - W_nn)), P the projection on |p_t| <= tau. It
+/// makes r.W r/2 + r.(u_free + b n) smaller unless r solves the contact, as no eigenvalue of the tangential part of W exceeds its trace.
+Vec3 approachTresca(const GeneralContact& contact, const Vec3& r, const Vec3& u);
+
 } // namespace nscd

@@ -92,13 +92,13 @@ struct Defect
     double work;     ///< [J]
 };
 
-Defect naturalMap(const ContactBlock& block, int lane, const Vec3& n, const Vec3& r, const Vec3& u)
+Defect naturalMap(const ContactBlock& block, int lane, const Vec3& n, const Vec3& r, const Vec3& u, bool isFrictionHeld)
 {
     const double rn = n.dot(r), un = n.dot(u);
     const double normal = (std::max(0.0, rn - (un + block.bias[lane])*block.invWn[lane]) - rn)/block.invWn[lane];
     const Vec3 rt = r - rn*n;
     Vec3 q = rt - (u - un*n)*block.invWt[lane];
-    const double limit = block.friction[lane]*std::max(0.0, rn), size = q.norm();
+    const double limit = block.friction[lane]*(isFrictionHeld ? 1.0 : std::max(0.0, rn)), size = q.norm();
     if (size > limit) q *= limit/size;
     const Vec3 tangential = (q - rt)/block.invWt[lane];
     return {normal*normal + tangential.squaredNorm(), rn*normal + rt.dot(tangential)};
@@ -110,7 +110,8 @@ Vec3 solved(const AnyContact& contact, const Vec3& r, const Vec3& u)
 {
     const GeneralSlot& slot = contact.slot;
     const ContactBlock& block = contact.block;
-    return solveCoulomb({slot.w, slot.inverse, contact.n, block.bias[contact.lane], block.friction[contact.lane]}, u - slot.w*r);
+    const GeneralContact local{slot.w, slot.inverse, contact.n, block.bias[contact.lane], block.friction[contact.lane]};
+    return contact.general.isFrictionHeld ? approachTresca(local, r, u) : solveCoulomb(local, u - slot.w*r);
 }
 
 void add(DefectSums& sums, double defect2, bool isActive)
@@ -175,7 +176,7 @@ DefectSums evaluateGeneral(const Body* bodies, const std::vector<ContactBlock>& 
             const ConstContact contact(bodies, general, block, k, lane);
             const Vec3 r = inBlock(block.r, lane), u = contact.relativeVelocity();
             const bool isActive = contact.n.dot(r) > 0.0 || contact.n.dot(u) + block.bias[lane] < 0.0;
-            const Defect defect = naturalMap(block, lane, contact.n, r, u);
+            const Defect defect = naturalMap(block, lane, contact.n, r, u, general.isFrictionHeld);
             add(sums, defect.square, isActive);
             sums.work += defect.work;
         }

@@ -3,7 +3,7 @@
 //
 // Tests of steps that Coulomb's law gives no solution, or none that sweeps find: jams on belts, light grains wedged between heavy ones.
 #include "unit/nscd/scenes/randomProblem.hpp"
-#include "unit/nscd/scenes/scenes.hpp"
+#include "unit/nscd/scenes/clumpScenes.hpp"
 
 #include "nscd/scene/stepWarnings.hpp"
 #include "nscd/solvers/heldFriction.hpp"
@@ -155,6 +155,29 @@ TEST(HeldFriction, bringsNoEnergyOntoABelt)
         EXPECT_LT(outcome.energy, 1e-6) << friction;   // that of the fall
         EXPECT_LT(outcome.wallForce, 20.0) << friction;
     }
+}
+
+// Clumps and spheres in a tray on a belt.
+TEST(HeldFriction, holdsClumps)
+{
+    Scene scene(3, 2.0, 0.0);
+    const Vec3 size(0.13, 0.09, 0.11);
+    const int shapes[2] = {addShape(scene, pebble()), addShape(scene, dumbbell(1.6))};
+    for (int k = 0; k < 12; ++k)
+    {
+        const Vec3 x(0.023 + 0.042*(k % 3), 0.023 + 0.042*(k/3 % 2), 0.023 + 0.042*(k/6));
+        addClump(scene, shapes[k % 2], x, Quaternion(1.0, 0.3*std::sin(k), 0.4*std::cos(2*k), 0.2*std::sin(3*k)).normalized());
+        scene.addGrain(x + Vec3(0.02, 0.02, 0.021), 0.004);
+    }
+    for (int axis = 0; axis < 3; ++axis) scene.addPlane(size, -Vec3::Unit(axis));
+    for (int axis = 0; axis < 3; ++axis) scene.addPlane(Vec3::Zero(), Vec3::Unit(axis));
+    scene.walls.setSurfaceMotion(5, nscd::belt(Vec3(0.4, 0, 0)));
+    const Outcome outcome = run(scene, 2.5e-3, 80);
+    EXPECT_LE(outcome.atCap, 2);
+    EXPECT_GT(outcome.held, 20);
+    EXPECT_EQ(outcome.unnamed, 0);
+    EXPECT_LT(outcome.energy, 0.1);
+    for (const Vec3& x : outcome.position) EXPECT_TRUE((x.array() > 0.0).all() && (x.array() < size.array()).all());
 }
 
 // Where friction is not held the same scene creates energy, and says so.

@@ -74,6 +74,33 @@ TEST(GeneralContact, obeysCoulombsLawForAnyBody)
 }
 
 /// For a sphere W is diagonal, and the solution known.
+TEST(GeneralContact, comesToTrescasLaw)
+{
+    Random random;
+    int sliding = 0;
+    for (int trial = 0; trial < 200; ++trial)
+    {
+        const Vec3 moments = (random.vector().array().abs() + 0.1).matrix(), u = 2.0*random.vector();
+        const double bound = 2.0*std::abs(random());
+        const GeneralContact contact = contactAt(random.vector(), moments, random.vector().normalized(), 0.1*std::abs(random()), bound);
+        const auto energy = [&](const Vec3& r) { return 0.5*r.dot(contact.w*r) + r.dot(u + contact.bias*contact.n); };
+        Vec3 r = Vec3::Zero();
+        for (int k = 0; k < 2000; ++k)
+        {
+            const Vec3 next = approachTresca(contact, r, u + contact.w*r);
+            ASSERT_LE(energy(next), energy(r) + 1e-14) << trial;
+            r = next;
+        }
+        const Vec3 after = u + contact.w*r, tangential = r - contact.n.dot(r)*contact.n, slip = after - contact.n.dot(after)*contact.n;
+        EXPECT_NEAR(std::min(contact.n.dot(r), contact.n.dot(after) + contact.bias), 0.0, 1e-10) << trial;
+        EXPECT_LE(tangential.norm(), bound*(1 + 1e-12)) << trial;
+        EXPECT_NEAR((slip.norm()*tangential + bound*slip).norm(), 0.0, 1e-10) << trial;
+        sliding += slip.norm() > 1e-6;
+    }
+    EXPECT_GT(sliding, 50);
+    EXPECT_LT(sliding, 190);
+}
+
 TEST(GeneralContact, isTheClosedFormOfSpheres)
 {
     Random random;
