@@ -33,6 +33,8 @@ void endWith(const Error& error)
 void endWhereOpenFOAMAborts(int)
 {
     if (!FatalError.message().empty() || !FatalIOError.message().empty()) std::_Exit(1);
+    std::signal(SIGABRT, SIG_DFL);
+    std::raise(SIGABRT);
 }
 
 /// Who sets FOAM_ABORT wants the signal.
