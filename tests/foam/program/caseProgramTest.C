@@ -141,6 +141,16 @@ TEST(Program, stopsWithoutASignalWhereOpenFOAMAborts)
     EXPECT_TRUE(isRefusedWith("system/fvSchemes", with(schemes, "gradSchemes { default Gauss linear", "gradSchemes { default Gauss lienar") + laplacian, {"lienar"}));
 }
 
+/// An abort that OpenFOAM has no words for, here one from outside, stays the signal that it is. A run that went on would be killed: 137.
+TEST(Program, anyOtherAbortStaysASignal)
+{
+    const ProgramCase c(Files{{"constant/grainProperties", grains + "fluid none;"}}, "endTime 10000; writeInterval 100000000;");
+    std::ofstream(c.path("Allrun")) << "cd " << c.path("") << "\ntimeout --preserve-status -s ABRT -k 10 1 $FOAM_USER_APPBIN/nscdDEMFoam\n";
+    const int status = std::system(("bash " + c.path("Allrun") + " > " + c.path("log.aborted") + " 2>&1").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 134) << c.contents("log.aborted");
+    EXPECT_FALSE(c.reported("0", "time").empty());
+}
+
 TEST(Program, stopsInWordsAtTextThatOpenFOAMCannotRead)
 {
     const std::string pressure = "dimensions [1 -1 -2 0 0 0 0];\ninternalField uniform ", boundary = "; boundaryField { \".*\" { type zeroGradient; } }";
