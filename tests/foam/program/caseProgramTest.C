@@ -122,8 +122,9 @@ TEST(Program, stopsAtMisspeltControlsOfTheFluid)
     EXPECT_TRUE(isRefusedWith("system/fvSolution", with(solutionWith(2), "PIMPLE", "PMIPLE"), {"fvSolution", "PMIPLE", "nearest: PIMPLE"}));
     EXPECT_TRUE(isRefusedWith("system/fvSolution", with(solutionWith(2), "PIMPLE", "PIMPLE 5; other"), {"fvSolution", "PIMPLE is not a dictionary"}));
     EXPECT_TRUE(isRefusedWithControl("ommentumPredictor no;", {"fvSolution", "ommentumPredictor", "nearest: momentumPredictor"}));
-    EXPECT_TRUE(isRefusedWithControl("nCorrectors 0;", {"fvSolution.PIMPLE", "keyword nCorrectors is out of range", ">= 1"}));
-    EXPECT_TRUE(isRefusedWithControl("nOuterCorrectors 0;", {"fvSolution.PIMPLE", "keyword nOuterCorrectors is out of range", ">= 1"}));
+    // Joined by a dot or, since v2312, by a slash.
+    EXPECT_TRUE(isRefusedWithControl("nCorrectors 0;", {"fvSolution", "PIMPLE at line", "keyword nCorrectors is out of range", ">= 1"}));
+    EXPECT_TRUE(isRefusedWithControl("nOuterCorrectors 0;", {"fvSolution", "PIMPLE at line", "keyword nOuterCorrectors is out of range", ">= 1"}));
 }
 
 /// OpenFOAM aborts at the first three, and ends without a word at the last.
@@ -138,6 +139,16 @@ TEST(Program, stopsWithoutASignalWhereOpenFOAMAborts)
     const std::string laplacian = "{ default Gauss linear corrected; }";
     EXPECT_TRUE(isRefusedWith("system/fvSchemes", schemes + "5;", {"system/fvSchemes", "laplacianSchemes"}));
     EXPECT_TRUE(isRefusedWith("system/fvSchemes", with(schemes, "gradSchemes { default Gauss linear", "gradSchemes { default Gauss lienar") + laplacian, {"lienar"}));
+}
+
+/// An abort that OpenFOAM has no words for, here one from outside, stays the signal that it is. A run that went on would be killed: 137.
+TEST(Program, anyOtherAbortStaysASignal)
+{
+    const ProgramCase c(Files{{"constant/grainProperties", grains + "fluid none;"}}, "endTime 10000; writeInterval 100000000;");
+    std::ofstream(c.path("Allrun")) << "cd " << c.path("") << "\ntimeout --preserve-status -s ABRT -k 10 1 $FOAM_USER_APPBIN/nscdDEMFoam\n";
+    const int status = std::system(("bash " + c.path("Allrun") + " > " + c.path("log.aborted") + " 2>&1").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 134) << c.contents("log.aborted");
+    EXPECT_FALSE(c.reported("0", "time").empty());
 }
 
 TEST(Program, stopsInWordsAtTextThatOpenFOAMCannotRead)

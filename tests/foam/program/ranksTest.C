@@ -411,7 +411,7 @@ TEST(Ranks, refuseWhatTheyCannotRun)
     EXPECT_TRUE(holds(collated.log, {"uncollated"}));
     const ProgramRun wrongNumber = wet.runOn(3);
     EXPECT_NE(wrongNumber.status, 0);
-    EXPECT_TRUE(holds(wrongNumber.log, {"number of processor directories"}));
+    EXPECT_TRUE(holds(wrongNumber.log, {"umber of processor directories = 2"}));
 }
 
 TEST(Ranks, checkTheFirstGrainsTogether)

@@ -7,8 +7,11 @@
 #include "coupling/case/input/throwingErrors.H"
 
 #include "IOstreams.H"
+#include "OSspecific.H"
 #include "Pstream.H"
 
+#include <csignal>
+#include <cstdlib>
 #include <memory>
 
 namespace Foam
@@ -26,6 +29,20 @@ void endWith(const Error& error)
     Pstream::exit(1);
 }
 
+/// Versions later than v1912 abort, once they have said their words, where v1912 throws. Any other abort stays the signal that it is.
+void endWhereOpenFOAMAborts(int)
+{
+    if (!FatalError.message().empty() || !FatalIOError.message().empty()) std::_Exit(1);
+    std::signal(SIGABRT, SIG_DFL);
+    std::raise(SIGABRT);
+}
+
+/// Who sets FOAM_ABORT wants the signal.
+void catchAborts()
+{
+    if (getEnv("FOAM_ABORT").empty()) std::signal(SIGABRT, endWhereOpenFOAMAborts);
+}
+
 } // namespace
 
 
@@ -33,7 +50,11 @@ void runToldErrors(const std::function<void()>& program)
 {
     // On ranks OpenFOAM ends all of them where the error is: what unwinding would destroy may wait for the others.
     std::unique_ptr<ThrowingErrors> throwing;
-    if (!Pstream::parRun()) throwing = std::make_unique<ThrowingErrors>();
+    if (!Pstream::parRun())
+    {
+        throwing = std::make_unique<ThrowingErrors>();
+        catchAborts();
+    }
     try
     {
         program();
