@@ -10,9 +10,8 @@ ZERO = (0.0, 0.0, 0.0)
 
 @dataclass
 class Wall:
-    """`text` of a scene; `walk(t)`: displacement [m]; `slides`: velocity of a belt [m/s]; `spin` [rad/s]. `count` walls of walls.csv."""
+    """`text` of a scene; `walk(t)`: displacement [m]; `slides`: velocity of a belt [m/s]; `spin` [rad/s]."""
     text: str
-    count: int = 1
     walk: object = None
     slides: tuple = ZERO
     spin: tuple = ZERO
@@ -36,7 +35,7 @@ def vector(values):
 def trayWall(scene):
     sides = [axis + end for k, axis in enumerate("xyz"[:scene.dimensions]) if k not in scene.periodic for end in ("Min", "Max")
              if scene.isClosed or k != scene.up or end == "Min"]
-    return Wall("tray { type box; box (0 0 0) %s; sides (%s); }" % (vector(scene.high), " ".join(sides)), len(sides))
+    return Wall("tray { type box; box (0 0 0) %s; sides (%s); }" % (vector(scene.high), " ".join(sides)))
 
 
 def lidWall(scene, top):
@@ -63,9 +62,11 @@ def beltWall(scene, diameters):
 
 
 def bladeWall(scene, angle):
-    """A tilted plate below the grains, at rest or turning by so much a step [rad]."""
+    """A tilted plate below the grains, at rest or turning by so much a step [rad], where it has room."""
     middle = [scene.high[0]/2, scene.high[1]/2, 0.7*scene.size]
-    corners = [(middle[0] + a*0.3*scene.high[0], middle[1] + b*0.2*scene.high[1], middle[2] + a*0.4*scene.size)
+    width = min(scene.high[:2])
+    angle = angle if width > 3*scene.size else 0
+    corners = [(middle[0] + a*0.3*width, middle[1] + b*0.2*width, middle[2] + a*0.4*scene.size)
                for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     spin = (0.0, 0.0, angle/scene.step)
     motion = "motion { type rotation; origin %s; axis (0 0 1); omega %.17g; }" % (vector(middle), spin[2]) if angle else ""
