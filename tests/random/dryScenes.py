@@ -9,7 +9,7 @@ from movingWalls import beltWall, bladeWall, lidWall, shakerWall, trayWall
 
 
 def vector(values):
-    return "(" + " ".join("%.6g" % value for value in values) + ")"
+    return "(" + " ".join("%.17g" % value for value in values) + ")"
 
 
 @dataclass
@@ -41,8 +41,8 @@ class DryScene:
 
     def text(self, steps):
         """The scene as nscdGrains reads it, of so many steps."""
-        across = "".join("%s (0 %.6g); " % ("xyz"[axis], self.high[axis]) for axis in self.periodic)
-        materials = " ".join("m%d { density %.6g; }" % one for one in enumerate(self.densities))
+        across = "".join("%s (0 %.17g); " % ("xyz"[axis], self.high[axis]) for axis in self.periodic)
+        materials = " ".join("m%d { density %.17g; }" % one for one in enumerate(self.densities))
         return "\n".join((
             "deltaT %.17g; endTime %.17g; writeInterval %.17g;" % (self.step, self.step*steps, self.step*self.half),
             "dimensions %d; gravity %s;" % (self.dimensions, vector(self.gravity)),
@@ -135,13 +135,13 @@ def lattice(rng, scene, low, high, count, hasClumps):
     speed = rng.choice([0, 0.005, 0.05, 0.05, 1])*small/scene.step
     moves = [rng.gauss(0, speed) if axis in scene.axes else 0 for axis in range(3)]
     spins = [rng.gauss(0, rng.choice([0, 10])) if scene.dimensions == 3 or axis == 2 else 0 for axis in range(3)]
-    text = "type lattice; box %s %s; count %s; diameter %.6g; spread %.6g; jitter %g; seed %d; material m%d; velocity %s; omega %s;" % (
+    text = "type lattice; box %s %s; count %s; diameter %.17g; spread %.17g; jitter %g; seed %d; material m%d; velocity %s; omega %s;" % (
         vector(low), vector(high), vector(count), diameter, spread, rng.choice([0, 0.5, 1]), rng.randint(1, 10**6),
         rng.randrange(len(scene.densities)), vector(moves), vector(spins))
     if hasClumps:
         ball = scene.size/2
         scene.arm = ball*rng.uniform(0.3, 0.9)
-        text += " clump { members ((0 0 0) (%.6g 0 0)); diameter %.6g; orientation %s; }" % (
+        text += " clump { members ((0 0 0) (%.17g 0 0)); diameter %.17g; orientation %s; }" % (
             scene.arm, ball, rng.choice(["random", "asGiven"]))
     return text
 

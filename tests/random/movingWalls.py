@@ -29,7 +29,7 @@ def along(scene, length):
 
 
 def vector(values):
-    return "(" + " ".join("%.9g" % value for value in values) + ")"
+    return "(" + " ".join("%.17g" % value for value in values) + ")"
 
 
 def trayWall(scene):
@@ -70,4 +70,4 @@ def bladeWall(scene, angle):
                for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     spin = (0.0, 0.0, angle/scene.step)
     motion = "motion { type rotation; origin %s; axis (0 0 1); omega %.17g; }" % (vector(middle), spin[2]) if angle else ""
-    return Wall("blade { type polygon; sides both; vertices (%s); %s }" % (" ".join(map(vector, corners)), motion), spin=spin)
+    return Wall("blade { type polygon; vertices (%s); %s }" % (" ".join(map(vector, corners)), motion), spin=spin)
