@@ -77,6 +77,8 @@ def randomCase(rng):
     rho = rng.choice([1.2, 1000, 10**rng.uniform(-1, 4)])
     density = rho*10**rng.uniform(-2, 1) if rng.random() < 0.6 else 2500.0
     inflow = min(2.0, rng.choice([0, 0.02, 0.2])*cell/step) if kind == "exit" else 0
+    # Written times have names of 12 digits, and a run goes on from what the name says.
+    step = float("%.3g" % step)
     case = CoupledCase(isPlane, kind, size, ratio, cells, high, step, rng.randint(10, 25), rng.random() < 0.2, g, density, rho,
                        10**rng.uniform(-7, -2), inflow, areForcesWhole=True)
     case.grains = grainProperties(rng, case, cell)

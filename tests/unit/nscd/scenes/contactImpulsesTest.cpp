@@ -61,7 +61,6 @@ TEST(ContactImpulses, areAllThatGrainsGetInALandingThatRebounds)
 Scene row(double restitution)
 {
     Scene scene(3, 0.0, restitution);
-    scene.g.setZero();
     for (int k = 0; k < 60; ++k) scene.addGrain(Vec3(2.05*radius*k, 0, 0), radius);
     scene.grains.velocity[0] = Vec3(6*radius/deltaT, 0, 0);
     return scene;
