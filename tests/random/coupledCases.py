@@ -31,6 +31,7 @@ class CoupledCase:
     nu: float
     inflow: float           # [m/s]
     areForcesWhole: bool    # what the fluid loses all goes to the grains
+    stream: float = 0.0     # [m/s] what flows in or is held as mean flow
     grains: str = ""
 
     @property
@@ -80,7 +81,7 @@ def randomCase(rng):
     # Written times have names of 12 digits, and a run goes on from what the name says.
     step = float("%.3g" % step)
     case = CoupledCase(isPlane, kind, size, ratio, cells, high, step, rng.randint(10, 25), rng.random() < 0.2, g, density, rho,
-                       10**rng.uniform(-7, -2), inflow, areForcesWhole=True)
+                       10**rng.uniform(-7, -2), inflow, areForcesWhole=True, stream=inflow)
     case.grains = grainProperties(rng, case, cell)
     return case
 
@@ -102,7 +103,8 @@ def grainProperties(rng, case, cell):
     if case.kind == "exit":
         parts.append("patches { zMin { type %s; } zMax { type exit; } }" % rng.choice(["wall", "wall", "exit"]))
     if case.kind == "cyclic" and rng.random() < 0.4:
-        parts.append("meanFlow (%.17g 0 0);" % (0.1*cell/case.step))
+        case.stream = 0.1*cell/case.step
+        parts.append("meanFlow (%.17g 0 0);" % case.stream)
     return "\n".join(parts)
 
 

@@ -4,8 +4,6 @@
 // Multipliers, slips and the set of contacts of a direct solve; its price.
 #include "nscd/solvers/direct/directSolve.hpp"
 
-#include "nscd/kernels/applyImpulse.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -188,9 +186,8 @@ void DirectSolve::store(const ConvexContact& solved)
 
 int DirectSolve::run(const StopRule& rule, double fineness)
 {
+    Snapshot best = snapshot(rule);
     if (!isWithinReach()) return 0;
-    const Snapshot start = snapshot(rule);
-    Snapshot best = start;
     std::unique_ptr<ConvexContact> convex = build();
     Eigen::VectorXd x = motion();
     double before = best.excess;
@@ -224,26 +221,7 @@ int DirectSolve::run(const StopRule& rule, double fineness)
         else if (isSlow && best.excess <= 1.0) break;
     }
     restore(best);
-    followImpulses(start);
-    if (snapshot(rule).excess > start.excess) restore(start);
     return steps;
-}
-
-void DirectSolve::followImpulses(const Snapshot& start)
-{
-    std::vector<Body> bodies = start.bodies;
-    for (std::size_t k = 0; k < slots_.size(); ++k)
-    {
-        const SlotView view(problem_, slots_[k]);
-        const Vec3 n = view.normal(), change = view.impulse() - start.impulse(k);
-        applyImpulse(bodies[view.bodies()[0]], bodies[view.bodies()[1]], n.data(), change.data());
-    }
-    for (int k : bodies_)
-    {
-        Body& body = problem_.bodies[k];
-        std::copy_n(bodies[k].v, 3, body.v);
-        if (problem_.isFrictional) std::copy_n(bodies[k].s, 3, body.s);
-    }
 }
 
 DirectSolve::Snapshot DirectSolve::snapshot(const StopRule& rule) const
@@ -259,7 +237,9 @@ void DirectSolve::restore(const Snapshot& taken)
     problem_.bodies = taken.bodies;
     for (std::size_t k = 0; k < slots_.size(); ++k)
     {
-        setImpulse(problem_, slots_[k], taken.impulse(k));
+        // Contacts that joined after it was taken carried nothing then.
+        const Vec3 r = k < taken.impulses.size() ? taken.impulses[k] : Vec3(Vec3::Zero());
+        setImpulse(problem_, slots_[k], r);
     }
 }
 

@@ -42,8 +42,6 @@ private:
     {
         std::vector<Body> bodies;
         std::vector<Vec3> impulses;   ///< of slots_
-        /// Contacts that joined after it was taken carried nothing then.
-        Vec3 impulse(std::size_t k) const { return k < impulses.size() ? impulses[k] : Vec3(Vec3::Zero()); }
         double excess;                ///< residual over what the rule allows: up to 1 is within
     };
 
@@ -56,8 +54,6 @@ private:
     void store(const ConvexContact& solved);
     Snapshot snapshot(const StopRule& rule) const;
     void restore(const Snapshot& taken);
-    /// Velocities that the impulses give from the start on: a minimum is found to a limit, and momentum would be off by that.
-    void followImpulses(const Snapshot& start);
 
     ContactProblem& problem_;
     std::vector<std::size_t> slots_;      ///< contacts in the matrix
