@@ -67,7 +67,9 @@ def randomScene(rng):
     # Some scenes fall several diameters a step; most keep to steps that a user could want.
     if g and rng.random() < 0.9:
         step = min(step, math.sqrt(0.1*size/ratio/g))
-    scene = DryScene(dimensions, size, ratio, step, half=rng.randint(10, 25), gravity=[0, 0, 0], high=[0, 0, 0],
+    # Grains may fall asleep in the long ones.
+    half = rng.randint(10, 25) if rng.random() < 0.9 else rng.randint(100, 150)
+    scene = DryScene(dimensions, size, ratio, step, half, gravity=[0, 0, 0], high=[0, 0, 0],
                      densities=[10**rng.uniform(1, 4) for _ in range(rng.choice([1, 1, 2]))], laws={}, solver={})
     scene.gravity = gravity(rng, scene, g)
     hasClumps = rng.random() < 0.15
