@@ -8,6 +8,7 @@ of the solve: the work of an impulse r is r.(u^- + u')/2, u^- the free velocity.
 
 import math
 
+from bars import STIFF_CLUMPS
 from reports import notFinite, readTable
 from vtpFile import readArray
 
@@ -27,7 +28,8 @@ def examine(folder, scene):
         return {"not finite": broken}, {}
     files = sorted((folder/"results/grains").glob("*.vtp"))
     found = {**wrongCounts(scene, rows, files), **wrongContacts(rows)}
-    figures = {"steps": len(rows), "atCap": sum(row["atCap"] for row in rows), "overlap": max(row["overlapMax"] for row in rows)}
+    group = STIFF_CLUMPS if scene.arm and scene.laws["friction"] >= 1 else ""
+    figures = {"group": group, "steps": len(rows), "atCap": sum(row["atCap"] for row in rows), "overlap": max(row["overlapMax"] for row in rows)}
     if "steps missing" in found:
         return found, figures
     momenta, error = momentum(scene, rows, files)
@@ -125,8 +127,14 @@ def wallWork(scene, row, forces):
     return sum(wall.work(triple(wall, "force"), triple(wall, "torque"), row["time"] - row["deltaT"], row["time"]) for wall in scene.walls)
 
 
+def kindOfGrowth(scene, row):
+    if not row["converged"]:
+        return "energy growth, unconverged"
+    return "energy growth, clumps" if scene.arm and scene.laws["restitution"] > 0 else "energy growth"
+
+
 def energyGrowth(scene, rows, momenta, folder, before):
-    """Steps in which contacts give energy; what a step that has not converged gives is counted apart, and has to be named in the log."""
+    """Steps in which contacts give energy, the first of each kind."""
     found, mass = {}, sum(masses(scene, sorted((folder/"results/grains").glob("*.vtp"))[0]))
     for row, forces, p in zip(rows, readTable(folder/"results/walls.csv"), momenta):
         fall = row["deltaT"]*sum(g*part for g, part in zip(scene.gravity, p))
@@ -135,7 +143,7 @@ def energyGrowth(scene, rows, momenta, folder, before):
         gain = row["kineticEnergy"] - before - fall - fromRest - driven
         slack = ENERGY*(before + abs(fall) + fromRest + abs(driven))
         if gain > slack + 1e-12*row["kineticEnergy"]:
-            kind = "energy growth" if row["converged"] else "energy growth, unconverged"
+            kind = kindOfGrowth(scene, row)
             text = f"{gain:.2g} J at {row['time']:.3g} s, {gain/slack if slack else math.inf:.2g} times what may be"
             found.setdefault(kind, text)
         before = row["kineticEnergy"]

@@ -30,7 +30,8 @@ def differences(folder, scene):
     halves = fresh(folder/"halves")
     for outcome in (runScene(halves, scene, scene.half), runScene(halves, scene, 2*scene.half, "-restart")):
         if outcome.status != 0:
-            return {outcome.crash or "restart differs": oneLine(outcome.error)}
+            isDeep = "maxInitialOverlap is exceeded" in outcome.error
+            return {outcome.crash or ("restart refused, overlap" if isDeep else "restart differs"): oneLine(outcome.error)}
     whole, end = endOf(folder), endOf(halves)
     return {"restart differs": ", ".join(name for name in whole if whole[name] != end.get(name))} if whole != end else {}
 
@@ -39,6 +40,7 @@ def trial(seed, folder):
     scene = randomScene(random.Random(f"dry {seed}"))
     outcome = runScene(folder, scene, 2*scene.half)
     if outcome.status != 0:
-        return Trial(seed, {outcome.crash or "refused": oneLine(outcome.error)}, {})
+        isFast = "use a smaller time step" in outcome.error
+        return Trial(seed, {outcome.crash or ("too fast" if isFast else "refused"): oneLine(outcome.error)}, {})
     found, figures = dryJudge.examine(folder, scene)
     return Trial(seed, {**found, **differences(folder, scene)}, figures)

@@ -4,7 +4,7 @@
 
 import math
 
-from bars import HARMLESS, KNOWN, STEPS_AT_CAP
+from bars import GROUPS, HARMLESS, KNOWN, STEPS_AT_CAP
 
 SHOWN = 8   # seeds, and findings in words
 
@@ -26,15 +26,21 @@ def isGood(name, kind, number, total):
     return kind == "fine" or kind in HARMLESS or number <= mostAllowed(name, kind, total)
 
 
-def shareAtCap(trials):
-    steps = sum(trial.figures.get("steps", 0) for trial in trials)
-    return sum(trial.figures.get("atCap", 0) for trial in trials)/steps if steps else 0.0
+def stepsAtCap(trials):
+    """Group of scenes: steps at the cap, of all steps, and the bar."""
+    found = {}
+    for trial in trials:
+        group = trial.figures.get("group", "")
+        atCap, steps, _ = found.get(group, (0, 0, 0))
+        bar = GROUPS[group][0] if group else STEPS_AT_CAP
+        found[group] = (atCap + trial.figures.get("atCap", 0), steps + trial.figures.get("steps", 0), bar)
+    return {group: counts for group, counts in found.items() if counts[1]}
 
 
 def isWithinBars(name, trials):
     kinds = byKind(trials)
-    return bool(trials) and all(isGood(name, kind, len(those), len(trials)) for kind, those in kinds.items()) and (
-        shareAtCap(trials) <= STEPS_AT_CAP)
+    return bool(trials) and all(isGood(name, kind, len(those), len(trials)) for kind, those in kinds.items()) and all(
+        atCap <= bar*steps for atCap, steps, bar in stepsAtCap(trials).values())
 
 
 def printSummary(name, trials, seconds, folder):
@@ -42,11 +48,11 @@ def printSummary(name, trials, seconds, folder):
     print(f"== {name}: {len(trials)} trials from {trials[0].seed} to {trials[-1].seed}, {seconds:.0f} s; those with findings in {folder}")
     for kind, those in sorted(kinds.items(), key=lambda item: -len(item[1])):
         printKind(name, kind, those, len(trials))
-    steps = sum(trial.figures.get("steps", 0) for trial in trials)
-    if steps:
-        share = shareAtCap(trials)
+    for group, (atCap, steps, bar) in stepsAtCap(trials).items():
         print("%-4s %-28s %.2f %% of %d, bar %g %%" % (
-            "ok" if share <= STEPS_AT_CAP else "BAD", "steps at the cap", 100*share, steps, 100*STEPS_AT_CAP))
+            "ok" if atCap <= bar*steps else "BAD", "steps at the cap", 100*atCap/steps, steps, 100*bar))
+        if group:
+            print("     %-28s   of %s: %s" % ("", group, GROUPS[group][1]))
     slowest = max(trials, key=lambda trial: trial.seconds)
     print("     slowest: %d, %.0f s" % (slowest.seed, slowest.seconds), flush=True)
 
