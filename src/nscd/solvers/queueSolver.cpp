@@ -7,6 +7,7 @@
 #include "nscd/solvers/help/contactQueue.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace nscd
 {
@@ -14,6 +15,9 @@ namespace nscd
 SolveReport solveQueue(ContactProblem& problem, const ContactSettings& settings)
 {
     SolveReport report;
+    // A queue reaches any block, and what is loaded has to be among those whose impulses are summed up after the solve.
+    problem.awake.resize(problem.all().count);
+    std::iota(problem.awake.begin(), problem.awake.end(), 0u);
     ContactQueue queue(problem, problem.all());
     const std::size_t used = queue.slots().size();
     if (used == 0) return report;

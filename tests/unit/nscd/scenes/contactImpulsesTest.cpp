@@ -6,6 +6,8 @@
 #include "unit/nscd/scenes/heaps.hpp"
 #include "unit/nscd/scenes/impulseBalance.hpp"
 
+#include "nscd/solvers/contactSolver.hpp"
+
 #include <gtest/gtest.h>
 
 using namespace scenes;
@@ -52,6 +54,36 @@ TEST(ContactImpulses, areAllThatGrainsGetInALandingThatRebounds)
         setRestitution(scene, restitution);
         auto dynamics = scene.build(nscd::ContactSettings());
         EXPECT_LT(worstOfSteps(dynamics, scene.g, 100, all), roundOff) << "e " << restitution;
+    }
+}
+
+/// A grain that runs into a row of others: all but its own contact look open before the solve, and are closed by it.
+Scene row(double restitution)
+{
+    Scene scene(3, 0.0, restitution);
+    for (int k = 0; k < 60; ++k) scene.addGrain(Vec3(2.05*radius*k, 0, 0), radius);
+    scene.grains.velocity[0] = Vec3(6*radius/deltaT, 0, 0);
+    return scene;
+}
+
+TEST(ContactForces, areAllThatGrainsGetWhateverTheSolver)
+{
+    for (const nscd::ContactSolverRow& solver : nscd::contactSolvers())
+    for (double restitution : {0.0, 0.5})
+    {
+        const Scene scene = row(restitution);
+        nscd::ContactSettings settings;
+        settings.solver = solver.name;
+        auto dynamics = scene.build(settings);
+        for (int k = 0; k < 20; ++k)
+        {
+            const nscd::Grains before = dynamics.grains();
+            step(dynamics, scene.g, deltaT);
+            std::vector<Vec3> impulses = dynamics.contactForce();
+            for (Vec3& each : impulses) each *= deltaT;
+            ASSERT_LT(worstImbalance(before, dynamics.grains(), impulses, scene.g, deltaT, all), roundOff)
+                << solver.name << ", e " << restitution << ", step " << k;
+        }
     }
 }
 
