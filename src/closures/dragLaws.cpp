@@ -46,7 +46,7 @@ const std::vector<DragLawRow> table =
     {"WenYu",                   "",           wenYu,                   1,      4.0e-3, 0,       dilute,       "Wen & Yu 1966"},
     {"Ergun",                   "",           ergun,                   0,      0,      0,       packed,       "Ergun 1952"},
     {"Gidaspow",                "ErgunWenYu", gidaspow,                1,      4.0e-3, 2.75,    any,          "Gidaspow 1994"},
-    {"GidaspowSmooth",          "",           gidaspowSmooth,          smooth, 3.6e-3, 0,       any,          "Huilin & Gidaspow 2003"},
+    {"GidaspowSmooth",          "",           gidaspowSmooth,          smooth, 3.8e-3, 0,       any,          "Huilin & Gidaspow 2003"},
     {"SyamlalOBrien",           "",           syamlalOBrien,           0.96,   0,      1.0e-3,  any,          "Syamlal & O'Brien 1987"},
     {"PlessisMasliyah",         "",           plessisMasliyah,         0,      0,      0,       cellModel,    "Du Plessis & Masliyah 1988"},
     {"KochHill",                "",           kochHill,                1,      0,      1.05e-2, kochHillBeds, "Koch & Hill 2001"},

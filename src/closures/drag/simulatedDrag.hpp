@@ -101,7 +101,8 @@ inline double hillKochLadd(const DragState& s)
 
 /// Equation: drag F = 10 phi/alpha^2 + alpha^2 (1 + 1.5 sqrt(phi)) + 0.413 Re_s/(24 alpha^2) (1/alpha + 3 alpha phi + 8.4 Re_s^-0.343)/
 ///           (1 + 10^(3 phi) Re_s^-(1/2 + 2 phi)) (Beetstra, van der Hoef & Kuipers 2007)
-/// Range:    simulated at phi 0.1 to 0.64, Re_s up to 1000; Stokes' law as phi and Re_s -> 0
+/// Range:    simulated at phi 0.1 to 0.64, Re_s up to 1000; a lone grain has Stokes' drag as Re -> 0, and 0.94, 1.16 and 1.69 times Schiller
+///           and Naumann's at Re 10, 100 and 1000
 inline double beetstra(const DragState& s)
 {
     const double alpha = s.fluidFraction, phi = 1 - alpha, Re = superficialRe(s);

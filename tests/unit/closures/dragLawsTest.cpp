@@ -80,7 +80,7 @@ TEST_P(EveryDragLaw, trapsNothingAtRest)
 TEST_P(EveryDragLaw, jumpsOverSlipByWhatItsRowStates)
 {
     double largest = 0;
-    for (double alpha : {0.3, 0.85})
+    for (double alpha : {0.3, 0.85, 0.95})
     {
         const auto f = [&](double x) { return GetParam().law(stateAt(std::pow(10, x), alpha)); };
         largest = std::max(largest, largestJump(f, -14, 6, 2000));
