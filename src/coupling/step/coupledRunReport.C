@@ -89,7 +89,11 @@ FluidSummary CoupledRun::describeFluid() const
         }
         summary.fluidForce += toFoam(fluidForce_[i]);
     }
-    reduce(summary.slipMax, maxOp<scalar>());
+    vector largest(summary.slipMax, step_.drag.beyond.Re, step_.drag.beyond.fluidFraction);
+    reduce(largest, maxOp<vector>());
+    summary.slipMax = largest.x();
+    summary.beyondRe = largest.y();
+    summary.beyondFraction = largest.z();
     reduce(summary.fluidForce, sumOp<vector>());
     summary.isLagged = feedsBack() && step_.response.isZero;
     summary.owedShare = feedsBack() ? owedShare() : 0;

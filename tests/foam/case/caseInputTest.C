@@ -94,8 +94,8 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_EQ(p.voidFraction.method, "satellite");
     EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("diffusionLength"), 1.5);
     EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("minFluidFraction"), 0.3);
-    EXPECT_EQ(p.forces.dragLaw, "DiFelice");
-    EXPECT_EQ(p.forces.dragWeight, "backwardEuler");
+    EXPECT_EQ(p.forces.drag.law, "DiFelice");
+    EXPECT_EQ(p.forces.drag.weight, "backwardEuler");
     EXPECT_FALSE(p.forces.isOn("pressureGradient") || p.forces.isOn("viscous") || p.solvesFluid || p.hasFeedback);
     EXPECT_TRUE(p.forces.isOn("spinDrag"));
     EXPECT_EQ(p.forces.switches.at("viscous").place.keyword, "forces.viscous");
