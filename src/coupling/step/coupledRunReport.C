@@ -89,7 +89,8 @@ FluidSummary CoupledRun::describeFluid() const
         }
         summary.fluidForce += toFoam(fluidForce_[i]);
     }
-    vector largest(summary.slipMax, step_.drag.beyond.Re, step_.drag.beyond.fluidFraction);
+    const closures::BeyondRange beyond = hasGrains() ? step_.drag.beyond : closures::BeyondRange{0, 0};
+    vector largest(summary.slipMax, beyond.Re, beyond.fluidFraction);
     reduce(largest, maxOp<vector>());
     summary.slipMax = largest.x();
     summary.beyondRe = largest.y();
