@@ -44,7 +44,7 @@ const WarningRow warningRows[] =
     },
     {
         "Warning", "drag beyond its alpha", "grains are in fluid fractions that the drag law is not meant for: its range is in src/closures/README.md",
-        [](const StepRow&, const FluidSummary& f) { return f.beyondFraction; }, 0, "beyond its alpha"
+        [](const StepRow&, const FluidSummary& f) { return f.beyondFraction; }, 1e-6, "beyond its alpha"
     },
     {
         "Note", "momentum owed", "grains took other momentum from the fluid than it was told: half of what they owe is repaid in each step",
