@@ -51,7 +51,7 @@ Eigen::Vector3d velocityAfter
 
 double gammaAtMidSlip
 (
-    DragLaw law, const DragState& state, const DragStep& step, const Eigen::Vector3d& velocity, DragWeighting weighting
+    const DragLaw& law, const DragState& state, const DragStep& step, const Eigen::Vector3d& velocity, DragWeighting weighting
 )
 {
     DragState at = state;

@@ -69,7 +69,7 @@ Eigen::Vector3d velocityAfter
 /// Ensures: the terminal velocity of the law is a fixed point, at any dt
 double gammaAtMidSlip
 (
-    DragLaw law, const DragState& state, const DragStep& step, const Eigen::Vector3d& velocity, DragWeighting weighting
+    const DragLaw& law, const DragState& state, const DragStep& step, const Eigen::Vector3d& velocity, DragWeighting weighting
 );
 
 } // namespace closures

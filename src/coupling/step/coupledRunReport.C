@@ -89,7 +89,12 @@ FluidSummary CoupledRun::describeFluid() const
         }
         summary.fluidForce += toFoam(fluidForce_[i]);
     }
-    reduce(summary.slipMax, maxOp<scalar>());
+    const closures::BeyondRange beyond = hasGrains() ? step_.drag.beyond : closures::BeyondRange{0, 0};
+    vector largest(summary.slipMax, beyond.Re, beyond.fluidFraction);
+    reduce(largest, maxOp<vector>());
+    summary.slipMax = largest.x();
+    summary.beyondRe = largest.y();
+    summary.beyondFraction = largest.z();
     reduce(summary.fluidForce, sumOp<vector>());
     summary.isLagged = feedsBack() && step_.response.isZero;
     summary.owedShare = feedsBack() ? owedShare() : 0;

@@ -7,6 +7,9 @@
 #include "coupling/case/walls/patchRoles.H"
 
 #include "fvcCurl.H"
+#include "mathematicalConstants.H"
+
+#include <cmath>
 
 namespace Foam
 {
@@ -55,6 +58,21 @@ struct WantedFields
     }
 };
 
+/// Sum of V_i over sum of V_i/d_i, each laid down in the cells and sampled from there: Sauter's mean, with the weights of the solid fraction.
+void sampleMeanDiameter(const GrainMapping& mapping, std::vector<scalar>& mean)
+{
+    const std::vector<scalar>& volumes = mapping.volumes();
+    std::vector<scalar> volumeOverDiameter(volumes.size()), sampled;
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+    {
+        volumeOverDiameter[i] = volumes[i]/std::cbrt(6*volumes[i]/constant::mathematical::pi);
+    }
+    scalarField solids, surface;
+    mapping.spread({{volumes, solids}, {volumeOverDiameter, surface}}, {});
+    mapping.sample({{solids, mean}, {surface, sampled}}, {});
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = sampled[i] > 0 ? mean[i]/sampled[i] : 0;
+}
+
 } // namespace
 
 void sampleFluid
@@ -71,6 +89,11 @@ void sampleFluid
     {
         at.own = mapping.ownTrace();
         sampled = {{&at.own.fraction, &at.own.others}, {&at.own.flowDiagonal, &at.own.flowOffDiagonal}};
+    }
+    if (wanted & reads::meanDiameter)
+    {
+        sampleMeanDiameter(mapping, at.meanDiameter);
+        sampled.scalars.push_back(&at.meanDiameter);
     }
     for (const ScalarSample& field : fields.scalars) sampled.scalars.push_back(&field.grains);
     for (const VectorSample& field : fields.vectors) sampled.vectors.push_back(&field.grains);

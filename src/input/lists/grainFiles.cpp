@@ -7,10 +7,9 @@
 #include "input/dictionary/quantity.hpp"
 #include "input/dictionary/textFile.hpp"
 #include "input/dictionary/withoutTraps.hpp"
+#include "input/lists/textRows.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -26,26 +25,6 @@ const char* const rowLayout = "rows of x y z d [material], in m, numbers up to 1
 void checkHolds(std::size_t number, const std::string& path, const Place& source)
 {
     if (number == 0) throw InputError({source, "names a file that holds no grain", path, "a file with grains"});
-}
-
-/// Refuses a text with zeros in it, which end it for whoever reads it in place.
-void checkIsText(const std::string& text, const std::string& path)
-{
-    const std::size_t zero = text.find('\0');
-    if (zero == std::string::npos) return;
-    const int line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n'));
-    throw InputError({{path, line, std::filesystem::path(path).filename()}, "holds a character that is no text", "", "a text file"});
-}
-
-/// A number at the start of a text, whose end is then behind it; false for anything else, and for numbers that are too large.
-bool takeNumber(const char*& at, double& number)
-{
-    const std::size_t length = std::strspn(at, "0123456789+-.eE");
-    char* end = nullptr;
-    number = std::strtod(at, &end);
-    if (length == 0 || end != at + length || !(std::abs(number) <= largestNumber)) return false;
-    at = end;
-    return true;
 }
 
 /// Moves through a text that ends with a zero, counting lines; numbers are read in place.
@@ -128,17 +107,15 @@ TableRow readRow(const char* at, const std::string& line, const Place& place)
     double numbers[4];
     for (double& number : numbers)
     {
-        at += std::strspn(at, " \t\r,");
-        const bool isNumber = takeNumber(at, number) && (*at == '\0' || std::strchr(" \t\r,", *at));
-        if (!isNumber) throw InputError({place, "holds a row without four finite numbers", line, rowLayout});
+        if (!takeColumn(at, number)) throw InputError({place, "holds a row without four finite numbers", line, rowLayout});
     }
     row.position = nscd::Vec3(numbers[0], numbers[1], numbers[2]);
     row.diameter = numbers[3];
     if (!(row.diameter >= smallestPositive)) throw InputError({place, "holds a diameter that is not positive", line, rowLayout});
-    at += std::strspn(at, " \t\r,");
+    skipSeparators(at);
     row.material.assign(at, std::strcspn(at, " \t\r,"));
     at += row.material.size();
-    at += std::strspn(at, " \t\r,");
+    skipSeparators(at);
     if (*at) throw InputError({place, "holds a row with more than five columns", line, rowLayout});
     row.line = place.line;
     return row;
@@ -184,22 +161,8 @@ std::vector<nscd::Vec3> parsePositions(const std::string& text, const std::strin
 
 std::vector<TableRow> readGrainTable(const std::string& path, const Place& source)
 {
-    const WithoutTraps traps;
-    const std::string text = readText(path, source);
-    checkIsText(text, path);
-    const std::string name = std::filesystem::path(path).filename();
     std::vector<TableRow> rows;
-    std::string line;
-    int lineNumber = 1;
-    for (std::size_t begin = 0; begin < text.size(); ++lineNumber)
-    {
-        const std::size_t end = std::min(text.size(), text.find('\n', begin));
-        line.assign(text, begin, end - begin);
-        line.resize(std::min(line.size(), line.find('#')));
-        begin = end + 1;
-        if (line.find_first_not_of(" \t\r,") == std::string::npos) continue;
-        rows.push_back(readRow(line.c_str(), line, {path, lineNumber, name}));
-    }
+    forEachRow(path, source, [&](const std::string& line, const Place& place) { rows.push_back(readRow(line.c_str(), line, place)); });
     checkHolds(rows.size(), path, source);
     return rows;
 }

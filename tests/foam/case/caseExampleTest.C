@@ -148,8 +148,9 @@ TEST(ExampleFile, statesTheDefaults)
     EXPECT_EQ(example.voidFraction.method, first.voidFraction.method);
     EXPECT_EQ(example.voidFraction.diffusion, first.voidFraction.diffusion);
     EXPECT_EQ(example.voidFraction.minFluidFraction, first.voidFraction.minFluidFraction);
-    EXPECT_EQ(example.forces.dragLaw, first.forces.dragLaw);
-    EXPECT_EQ(example.forces.dragWeight, first.forces.dragWeight);
+    EXPECT_EQ(example.forces.drag.law, first.forces.drag.law);
+    EXPECT_EQ(example.forces.drag.weight, first.forces.drag.weight);
+    EXPECT_EQ(example.forces.drag.isPolydisperse, first.forces.drag.isPolydisperse);
     for (const auto& [force, given] : example.forces.switches) EXPECT_EQ(given.isOn, first.forces.isOn(force)) << force;
     EXPECT_EQ(example.time.maxGrainDisplacement, first.time.maxGrainDisplacement);
     EXPECT_EQ(example.time.subCycles, first.time.subCycles);

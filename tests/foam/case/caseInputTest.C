@@ -11,6 +11,8 @@
 #include "input/dictionary/checkedEntries.hpp"
 #include "input/dictionary/withoutTraps.hpp"
 
+#include <fstream>
+
 using namespace Foam;
 using namespace Foam::nscdCoupling;
 using namespace Foam::nscdCoupling::testing;
@@ -94,8 +96,8 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_EQ(p.voidFraction.method, "satellite");
     EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("diffusionLength"), 1.5);
     EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("minFluidFraction"), 0.3);
-    EXPECT_EQ(p.forces.dragLaw, "DiFelice");
-    EXPECT_EQ(p.forces.dragWeight, "backwardEuler");
+    EXPECT_EQ(p.forces.drag.law, "DiFelice");
+    EXPECT_EQ(p.forces.drag.weight, "backwardEuler");
     EXPECT_FALSE(p.forces.isOn("pressureGradient") || p.forces.isOn("viscous") || p.solvesFluid || p.hasFeedback);
     EXPECT_TRUE(p.forces.isOn("spinDrag"));
     EXPECT_EQ(p.forces.switches.at("viscous").place.keyword, "forces.viscous");
@@ -290,6 +292,11 @@ const std::vector<Bad> bad =
     {first + "shape disk;", {"shape", "nearest: disc"}},
     {first + "voidFraction { minFluidFraction 1; }", {"minFluidFraction", "< 1"}},
     {first + "forces { drag { law Gidaspov; } }", {"forces.drag.law", "value:   Gidaspov", "nearest: Gidaspow", "Ergun"}},
+    {first + "forces { drag { law KochHil; } }", {"forces.drag.law", "nearest: KochHill", "Beetstra", "Tenneti", "table"}},
+    {first + "forces { drag { law table; } }", {"forces.drag", "table"}},
+    {first + "forces { drag { law table; table \"none.txt\"; } }", {"forces.drag.table", "none.txt"}},
+    {first + "forces { drag { law Rong; table \"cd.txt\"; } }", {"forces.drag.table"}},
+    {first + "forces { drag { polydisperse maybe; } }", {"forces.drag.polydisperse", "on"}},
     {first + "voidFraction { method exakt; }", {"voidFraction.method", "nearest: exact", "centroid"}},
     {first + "fluid non;", {"fluid", "nearest: none", "solved"}},
     {first + "feedback of;", {"feedback", "nearest: off"}},
@@ -306,6 +313,32 @@ const std::vector<Bad> bad =
 };
 
 } // namespace
+
+// Files of drag coefficients, named by their path from the root.
+TEST(GrainProperties, aTableOfDragCoefficients)
+{
+    BoxMesh box;
+    box.writeFile("constant/grainProperties", "");
+    const std::string path = box.casePath()/"constant/cd.txt", law = "forces { drag { law table; table \"" + path + "\"; } }";
+    const auto written = [&](const std::string& text) { std::ofstream(path) << text; };
+    written("# Re alpha Cd\n1, 0.4, 200\n100 0.4 20\n1 0.8 50\n100 0.8 2\n");
+    const GrainProperties p = read(first + law);
+    ASSERT_TRUE(p.forces.drag.table.has_value());
+    EXPECT_TRUE(p.forces.isOn("drag"));
+    EXPECT_NEAR(p.forces.drag.table->cdRe(100, 0.8), 200, 1e-10);
+    const struct { const char* text; std::vector<std::string> pieces; } wrong[] =
+    {
+        {"1 0.4\n", {"cd.txt", "without 3 finite numbers", "rows of Re alpha Cd"}},
+        {"", {"forces.drag.table", "without rows"}},
+        {"1 0.4 200\n100 0.4 20\n1 0.8 50\n", {"forces.drag.table", "alpha 0.8 has fewer Re"}},
+        {"1 0.4 200\n100 0.4 0.01\n", {"forces.drag.table", "does not grow"}}
+    };
+    for (const auto& one : wrong)
+    {
+        written(one.text);
+        EXPECT_TRUE(holds(complaintAbout(first + law), one.pieces)) << one.text;
+    }
+}
 
 TEST(BadGrainProperties, saysWhatIsWrongAndWhatWouldBeRight)
 {

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 using namespace Foam;
 using namespace Foam::nscdCoupling;
 using namespace Foam::nscdCoupling::testing;
@@ -102,6 +104,39 @@ TEST(FluidAtGrains, whatIsNotSampledAgainStaysAsItIs)
     EXPECT_EQ(flow.at.fluidFraction, before.fluidFraction);
     flow.sample(reads::fluidFraction);
     EXPECT_EQ(flow.at.fluidFraction, std::vector<scalar>(flow.grains.size(), 1.0)) << "without feedback";
+}
+
+// Sauter's mean of what the cells hold: with the method `centroid` each grain has its cell's, sum of d^3 over sum of d^2.
+TEST(FluidAtGrains, meanDiameterIsThatOfTheGrainsInTheCell)
+{
+    LinearFlow flow;
+    const scalar radii[] = {0.05, 0.2, 0.11};
+    for (std::size_t i = 0; i < flow.grains.size(); ++i) flow.grains.radius[i] = radii[i % 3];
+    flow.mapping->update(flow.grains, ::nscd::PeriodicBox());
+    flow.sample(reads::meanDiameter);
+    std::map<label, std::pair<scalar, scalar>> sums;
+    for (std::size_t i = 0; i < flow.grains.size(); ++i)
+    {
+        const scalar d = 2*flow.grains.radius[i];
+        sums[flow.mapping->cells()[i]].first += d*d*d;
+        sums[flow.mapping->cells()[i]].second += d*d;
+    }
+    EXPECT_LT(sums.size(), flow.grains.size()) << "some cells should hold several grains";
+    for (std::size_t i = 0; i < flow.grains.size(); ++i)
+    {
+        const auto& [cubes, squares] = sums[flow.mapping->cells()[i]];
+        EXPECT_NEAR(flow.at.meanDiameter[i]/(cubes/squares), 1, 1e-14);
+    }
+}
+
+// Grains that lie in many cells: of equal ones every mean is theirs.
+TEST(FluidAtGrains, meanDiameterOfEqualGrainsIsTheirs)
+{
+    LinearFlow flow;
+    GrainMapping exact(flow.box.mesh(), mappingDict("exact", 0.7), 0.2);
+    exact.update(flow.grains, ::nscd::PeriodicBox());
+    sampleFluid(flow.box.fluid(), nullptr, exact, GrainsAtHome(), reads::meanDiameter, flow.at);
+    for (const scalar mean : flow.at.meanDiameter) EXPECT_NEAR(mean/0.4, 1, 1e-14);
 }
 
 TEST(FluidAtGrains, onAFlatMeshVectorsLieInItsPlaneAndSpinsAcrossIt)

@@ -8,7 +8,6 @@
 #include "coupling/case/input/foamDictionary.H"
 #include "coupling/mapping/voidFractionMethods.H"
 
-#include "closures/dragLaws.hpp"
 #include "input/dictionary/withoutTraps.hpp"
 #include "input/scene/materialReader.hpp"
 #include "input/scene/motionReader.hpp"
@@ -68,18 +67,6 @@ VoidFractionSettings readVoidFraction(const CheckedEntries& top)
 }
 
 
-Words dragWords()
-{
-    Words words = {"none"};
-    for (const closures::DragLawRow& row : closures::dragLaws())
-    {
-        words.push_back(row.name);
-        if (row.alias[0]) words.push_back(row.alias);
-    }
-    return words;
-}
-
-
 /// Forces by their keyword, and whether they are on where a case does not say. What each is: coupling/step/forces.
 const std::vector<std::pair<const char*, bool>> forceSwitches =
 {
@@ -91,18 +78,13 @@ const std::vector<std::pair<const char*, bool>> forceSwitches =
 };
 
 
-ForceSettings readForces(const CheckedEntries& top)
+ForceSettings readForces(const CheckedEntries& top, const input::Surroundings& around)
 {
     const input::Dictionary dict = top.subOrEmpty("forces");
     const CheckedEntries given(dict);
     ForceSettings settings;
-    const input::Dictionary dragDict = given.subOrEmpty("drag");
-    const CheckedEntries drag(dragDict);
-    settings.dragLaw = drag.choice("law", dragWords(), settings.dragLaw);
-    settings.dragWeight = drag.choice("weight", {"exponential", "backwardEuler"}, settings.dragWeight);
-    settings.correctsOwnWake = drag.flag("ownWakeCorrection", settings.correctsOwnWake);
-    drag.finish();
-    settings.switches["drag"] = {settings.dragLaw != "none", given.place("drag")};
+    settings.drag = readDrag(given, around);
+    settings.switches["drag"] = {settings.drag.isOn(), given.place("drag")};
     for (const auto& [name, byDefault] : forceSwitches) settings.switches[name] = {given.flag(name, byDefault), given.place(name)};
     given.finish();
     return settings;
@@ -131,14 +113,14 @@ scalar readMaxLoadImbalance(const CheckedEntries& top, scalar byDefault)
 }
 
 
-void readCoupling(const CheckedEntries& top, GrainProperties& properties)
+void readCoupling(const CheckedEntries& top, const input::Surroundings& around, GrainProperties& properties)
 {
     properties.hasFeedback = top.flag("feedback", properties.hasFeedback);
     properties.holdsMeanFlow = top.found("meanFlow");
     properties.meanFlowPlace = top.place("meanFlow");
     properties.meanFlow = toFoam(top.vec("meanFlow", input::unit::velocity, nscd::Vec3::Zero()));
     properties.voidFraction = readVoidFraction(top);
-    properties.forces = readForces(top);
+    properties.forces = readForces(top, around);
     properties.time = readTimeSettings(top);
 }
 
@@ -157,7 +139,7 @@ GrainProperties readAll(const dictionary& dict, input::Surroundings around)
     properties.shape = top.choice("shape", {"sphere", "disc"}, "");
     properties.shapePlace = top.place("shape");
     properties.maxLoadImbalance = readMaxLoadImbalance(top, properties.maxLoadImbalance);
-    readCoupling(top, properties);
+    readCoupling(top, around, properties);
     top.finish();
     return properties;
 }
@@ -195,7 +177,7 @@ dictionary GrainProperties::meanFlowDict() const
 bool correctsOwnWake(const GrainProperties& properties, int dimensions)
 {
     const ForceSettings& forces = properties.forces;
-    return properties.solvesFluid && properties.hasFeedback && forces.isOn("drag") && forces.correctsOwnWake && dimensions == 3;
+    return properties.solvesFluid && properties.hasFeedback && forces.isOn("drag") && forces.drag.correctsOwnWake && dimensions == 3;
 }
 
 

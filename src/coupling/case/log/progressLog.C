@@ -39,6 +39,14 @@ const WarningRow warningRows[] =
         [](const StepRow&, const FluidSummary& f) { return f.predictorConverged ? 0 : scalar(f.predictorSweeps); }, 0, "sweeps"
     },
     {
+        "Warning", "drag beyond its Re", "grains slip faster than the drag law is meant for: its range is in src/closures/README.md",
+        [](const StepRow&, const FluidSummary& f) { return f.beyondRe; }, 1, "of its highest Re"
+    },
+    {
+        "Warning", "drag beyond its alpha", "grains are in fluid fractions that the drag law is not meant for: its range is in src/closures/README.md",
+        [](const StepRow&, const FluidSummary& f) { return f.beyondFraction; }, 1e-6, "beyond its alpha"
+    },
+    {
         "Note", "momentum owed", "grains took other momentum from the fluid than it was told: half of what they owe is repaid in each step",
         [](const StepRow&, const FluidSummary& f) { return f.owedShare; }, 0.01, "of what grains received"
     },

@@ -57,8 +57,8 @@ string describeFluid(const GrainProperties& properties, int dimensions)
     if (!properties.solvesFluid) return "none";
     return formatted
     (
-        "solved, feedback %s; drag %s%s; void fraction %s",
-        properties.hasFeedback ? "on" : "off", properties.forces.dragLaw.c_str(),
+        "solved, feedback %s; drag %s%s%s; void fraction %s",
+        properties.hasFeedback ? "on" : "off", properties.forces.drag.law.c_str(), properties.forces.drag.isPolydisperse ? ", polydisperse" : "",
         correctsOwnWake(properties, dimensions) ? ", corrected for the own wake of lone grains" : "", properties.voidFraction.method.c_str()
     );
 }

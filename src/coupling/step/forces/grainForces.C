@@ -30,6 +30,12 @@ void refuseDiscs(const ForceRow& row, const ForceSettings& settings)
     fail({settings.switches.at(row.name).place, "is a law for spheres, and the grains of this case are discs", "on", "off"});
 }
 
+/// Published for spheres; in the plane the force on the mean would be shared out otherwise.
+void refuseMixOfDiscs(const DragSettings& drag)
+{
+    fail({drag.polydispersePlace, "is for spheres, and the grains of this case are discs", "on", "off"});
+}
+
 /// To add to -0 gives what is added to the last bit, the sign of a zero included.
 std::vector<Vec3> emptySums(std::size_t n) { return std::vector<Vec3>(n, Vec3::Constant(-0.0)); }
 
@@ -66,6 +72,7 @@ std::vector<scalar> gains(const ::nscd::Grains& grains, const LinearDrag& drag, 
 
 GrainForces::GrainForces(const ForceSettings& settings, const ForceConditions& conditions)
 {
+    if (settings.drag.isPolydisperse && !conditions.areSpheres) refuseMixOfDiscs(settings.drag);
     for (const ForceRow& row : forceTable())
     {
         if (!isOn(row, settings, conditions)) continue;

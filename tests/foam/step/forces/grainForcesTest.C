@@ -127,6 +127,47 @@ TEST(GrainForces, dragIsThatOfItsLawSplitOverTheStep)
     EXPECT_NEAR(drag.largestStiffness/stiffest, 1, 1e-14);
 }
 
+// Of a grain in a mix: y^2 the coefficient of the mean diameter, y = d/<d>; without a home, as a grain of its own size.
+TEST(GrainForces, dragInAMixOfSizesIsThatOfTheMeanTimesTheSquareOfTheRatio)
+{
+    RandomSuspension grains;
+    for (std::size_t i = 0; i < grains.size(); ++i) grains.lastContactForce[i] = Vec3(1, 0, 0);
+    for (std::size_t i = 0; i < grains.size(); ++i) grains.at.meanDiameter.push_back(i % 5 ? 0.7e-3 + 0.05e-3*scalar(i) : 0);
+    const GrainForces mixed(forcesOf("drag { law Beetstra; polydisperse on; }"), spheresInFluid);
+    EXPECT_TRUE(mixed.readsAtStart() & reads::meanDiameter);
+    EXPECT_FALSE(mixed.readsAfterSolve() & reads::meanDiameter);
+    const LinearDrag drag = linearized(mixed, grains, 1e-3);
+    const closures::DragLaw law = closures::findDragLaw("Beetstra").law;
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const scalar d = 2*grains.grains.radius[i], mean = i % 5 ? grains.at.meanDiameter[i] : d;
+        const scalar slip = (grains.at.velocity[i] - grains.grains.velocity[i]).norm();
+        const scalar ofMean = law({closures::sphereSize(mean), slip, grains.at.fluidFraction[i], grains.density, grains.at.viscosity[i]});
+        EXPECT_NEAR((drag.implicit[i] + drag.remainder[i])/(d*d/(mean*mean)*ofMean), 1, 1e-12) << i;
+    }
+    EXPECT_FALSE(GrainForces(forcesOf("drag { law Beetstra; }"), spheresInFluid).readsAtStart() & reads::meanDiameter);
+    const std::string refusal = complaint([] { GrainForces(forcesOf("drag { polydisperse on; }"), {true, true, false}); });
+    EXPECT_NE(refusal.find("forces.drag.polydisperse"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("is for spheres"), std::string::npos) << refusal;
+}
+
+TEST(GrainForces, howFarGrainsAreBeyondTheRangeOfTheLawIsKnown)
+{
+    RandomSuspension grains;
+    scalar Re = 0, lowest = 1;
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        const scalar slip = (grains.at.velocity[i] - grains.grains.velocity[i]).norm(), alpha = grains.at.fluidFraction[i];
+        Re = std::max(Re, grains.density*alpha*slip*2*grains.grains.radius[i]/grains.at.viscosity[i]);
+        lowest = std::min(lowest, alpha);
+    }
+    const LinearDrag drag = linearized(GrainForces(forcesOf("drag { law Stokes; }"), spheresInFluid), grains, 1e-3);
+    EXPECT_NEAR(drag.beyond.Re/(Re/0.1), 1, 1e-12);
+    ASSERT_LT(lowest, 0.95);
+    EXPECT_NEAR(drag.beyond.fluidFraction, 0.95 - lowest, 1e-14);
+    EXPECT_EQ(linearized(GrainForces(forcesOf("drag { law DiFelice; }"), spheresInFluid), grains, 1e-3).beyond.fluidFraction, 0);
+}
+
 TEST(GrainForces, aShorterStepKeepsTheCoefficientAndItsShareIsImplicit)
 {
     const RandomSuspension grains;
