@@ -12,8 +12,9 @@ KNOWN = {
     "dry": {
         "unconverged": (0.10, "more than a tenth of the steps: friction of 1 and more, whose steps are held; solvers other than NLGS; jams"),
         "energy growth, clumps": (0.01, "that rebound: they turn by the velocities before the rebound, with which inertia turns"),
-        "energy growth, unconverged": (0.01, "in steps at the cap, whose warning names it"),
-        "overlap": (0.01, "clumps that turn meet others on arcs: method.md, limits"),
+        "energy growth, unconverged": (0.01, "in steps at the cap; the log's warning names it"),
+        "energy growth, unconverged, not named": (0.01, "held friction beside rolling friction (456); open"),
+        "overlap": (0.01, "clumps that turn meet others on arcs: method.md; grains at the edges of small plates (112, 321): open"),
         "overlap, unconverged": (0.01, "jams: walls that move into grains"),
         "momentum, at the cap": (0.01, "clumps jammed between walls: impulses of any size, whose round-off is left"),
         "restart refused, overlap": (0.01, "deeper than 0.1 d after jams; maxInitialOverlap lets it"),

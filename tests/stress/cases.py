@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+"""The stress cases: what is asked for, which tests of the project show it, and what of it none shows yet."""
+
+from dataclasses import dataclass, field
+
+
+@dataclass
+class Case:
+    name: str
+    parameters: str
+    expected: str
+    unit: str = ""          # filters of nscdTests
+    foam: str = ""          # filters of nscdDEMFoamTests
+    validation: list = field(default_factory=list)
+    missing: str = ""       # in words; nothing: the case is whole
+
+
+CASES = [
+    Case("S1 drag-stiff grains", "C07, dt/tau up to 1e4", "final velocity at once, momentum kept", validation=["uniformSuspension"],
+         missing="C32"),
+    Case("S2 explicit-drag trap", "C05, C03: dt/tau .1 to 100", "same terminal velocity", validation=["settlingGrain"],
+         missing="judged at one dt a case; the sweep is tests/benchmark/run W5, which does not judge"),
+    Case("S3 light, neutral grains", "density ratios 2000 to .01", "rises by its law, stable", validation=["landingSuspension"],
+         missing="ratio 1e-3"),
+    Case("S4 heavy on light", "1:1 to 1:1e4, on one and on 19", "forces right, or said", "Stress.heavyOnLight*", validation=["dryStress", "dryStacks"]),
+    Case("S5 tall stacks", "100, 300, 1000 spheres, cold", "base force 1e-6, few sweeps then",
+         "Stack.*:Direct.stackOfThreeHundredFromCold", validation=["dryStacks", "dryStatics"]),
+    Case("S6 sizes 1:100", "1:20, 1:100 in a box", "overlap, cost of search", foam="mappingWeights.grainsFive*", validation=["drySizes"],
+         missing="10 large and 1e5 small ones"),
+    Case("S7 cells below grains", "d 5 and 10 cells; lattice bed, h = d", "alpha in its range, law's gradient",
+         foam="mappingWeights.grainsFiveAndTen*:mappingOctant.grainsWider*", validation=["latticeBed"], missing="pressure drop of a bed at h = d/2"),
+    Case("S8 dt -> 0, moving", "exact fraction against the silhouette", "pressure has a limit",
+         foam="mappingWeights.exactFractionChanges*:fluidPiston.*", missing="peak pressure for dt 1e-2 to 1e-6 s"),
+    Case("S9 packing limit", "landing at .5; lid onto dry grains", "no clipping, finite", "MovingWall.aLid*", "mappingRedistribution.*",
+         ["landingSuspension"], "a lid that compresses a bed in fluid to .66"),
+    Case("S10 fully packed", "lattice bed fills the box; jumps", "Darcy's law; closed: at rest", foam="fluidAtRest.*", validation=["latticeBed"],
+         missing="a random packing that fills the box"),
+    Case("S11 dt 10x and 100x", "C33 at 10x; random steps", "stable, none lost", "RandomSteps.*", validation=["grainsOnRanks"],
+         missing="C18 and A13 at 10x and 100x"),
+    Case("S12 zero grains", "from the start, or all leave", "as without grains, files valid", "Stress.noGrains*:SmallScenes.nothing*",
+         "Program.runsWithoutGrains:Program.goesOn*Left:mappingWeights.noGrains:mappingRanks.noGrainsAnywhere", ["fluidWithoutGrains"]),
+    Case("S13 one grain, one cell", "1x1x1, periodic and closed", "shares to round-off", "SmallScenes.nothingAndOne*",
+         "mappingWeights.conserveWithOneOrTwo*", missing="C07 with one grain against its solution"),
+    Case("S14 as wide as its shaft", "d = width", "no crash, walls balanced", "Stress.grainAsWide*", missing="in a fluid"),
+    Case("S15 borders of ranks", "1 to 8 ranks, corners, empty ranks", "one answer", validation=["grainsOnRanks"]),
+    Case("S16 gravity turned over", "bed, g to -g", "no tunneling, no energy", validation=["dryStress"], missing="in a fluid; sideways"),
+    Case("S17 inflow stepped", "bed, k .1 to 1e4", "bed stays, drop by its law", validation=["packedBed"], missing="back to 0"),
+    Case("S18 fast grain", "50 d a step: wall, grain, bed", "no tunneling, no energy", "Stress.fastGrain*:StopsOnWay.*", validation=["dryFast"]),
+    Case("S19 initial overlap", "clouds, columns, 1 to 50 %", "gentle, or refused", "Stress.initialOverlaps*:OverlapCorrection.*",
+         "BadStart.overlaps*"),
+    Case("S20 coincident centers", "two grains", "a message", "Stress.coincident*:ContactGeometry.coincident*"),
+    Case("S21 friction 0 to 1e6", "heaps, belts", "converges, or held and said", "Solver.*:Solvers.*:HeldFriction.*:Pyramid.*",
+         missing="sheared layer A19 at 10 and 1e6"),
+    Case("S22 e = 1, dense", "phi .6, friction 0 and .5", "energy exact, else said", "Shock.*", validation=["dryStress"]),
+    Case("S23 wedge", "disc between walls, friction 1", "finite impulses, no drift", "Stress.discWedged*"),
+    Case("S24 fluid solver limits", "Co .1 to 10; viscosity x 1e6", "stable", missing="all of it"),
+    Case("S25 bad cells", "distorted, graded meshes at rest", "at rest to 1e-8", foam="fluidAtRest.staysAtRestOnADistorted*:mappingWeights.conserveOnAShaken*",
+         missing="70 deg cells, aspect 100; C12 and C33 on them"),
+    Case("S26 source switched", "grains held and let go", "continuity 1e-8", foam="fluidResponse.clearedSources*",
+         missing="held grains let go during a run"),
+    Case("S27 restart", "in the middle, dry and coupled", "to the bit", "Restart.*:Checkpoint.*", "Program.*NeverStopped:BadRestart.*",
+         ["writtenTimes"]),
+    Case("S28 open borders", "exits, all leave", "exact count", foam="GrainExits.*:GrainMemory.*:Program.goesOn*Left",
+         missing="grains that enter; 1e5 steps"),
+    Case("S29 cloud, no contact", "1e6 grains, phi 1e-3", "contacts < 10 % of the time", "Skip.*",
+         missing="the share of time: tests/benchmark/run S29, which does not judge"),
+    Case("S30 long rest", "beds, 1e4 steps; asleep", "no creep, cheap", "Rest.*:*Sleep.aBed*:SleepOf.*:PartialSleep.*", validation=["dryRest"],
+         missing="1e5 steps: tests/benchmark/run S30, which does not judge"),
+]
