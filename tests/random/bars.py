@@ -23,6 +23,8 @@ KNOWN = {
     "coupled": {
         "unconverged": (0.03, "more than a tenth of the steps: as in dry scenes"),
         "overlap": (0.01, "as in dry scenes"),
+        "restart differs": (0.015, "with exits and adjustTimeStep by 1e-5 of the energy (66, 153), else in last bits (154); open"),
+        "too fast": (0.01, "more than a period in a step: stopped in words"),
         "momentum": (0.02, "more than 1 % of the weight: sudden inflow into grains, of which eight corrections of the pressure leave that much"),
     },
     "brokenScenes": {},

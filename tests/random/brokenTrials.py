@@ -22,6 +22,9 @@ SENSELESS = {"misspelt key", "key with an accent", "brace missing", "semicolon m
              "number: a unit", "list too short"}
 NAMED = re.compile(r"(materials|grains|walls|planes|driven|variables|periodic)\.[^.]+|(materials|grains|walls|planes|driven)")
 WHOLE = set(FILE_BREAKS) | {"tokens exchanged"}     # no line to name
+# What follows from a number that could be meant: which grains are where, or what to change.
+TOLD_OF_GRAINS = ("maxInitialOverlap is exceeded", "outside the mesh", "use a smaller time step")
+TIMES = ("deltaT", "endTime", "startTime", "stopAt", "startFrom")
 KINDS = sorted({**ENTRY_BREAKS, **FILE_BREAKS, **TOKEN_BREAKS, **TABLE_BREAKS})
 CASE_KINDS = sorted({*KINDS, *FIELD_BREAKS})
 
@@ -31,8 +34,7 @@ def names(error, broken):
     key = broken.place.rsplit(".", 1)[-1].strip('"')
     hasFile = Path(broken.file).name in error
     hasPlace = re.search(r"(at|from|on|line|lines):? (line )?\d+|:\d+|keyword", error) or (len(key) > 1 and key in error)
-    # Those that read grains say which grains are where; a mesh without a file is one of OpenFOAM's.
-    return hasFile and (hasPlace or broken.kind in WHOLE) or "maxInitialOverlap is exceeded" in error or "outside the mesh" in error
+    return hasFile and (hasPlace or broken.kind in WHOLE) or any(words in error for words in TOLD_OF_GRAINS)
 
 
 def judge(broken, outcome, report):
@@ -51,8 +53,11 @@ def judge(broken, outcome, report):
 
 
 def judgeAccepted(broken, rows):
+    if not rows:    # its end may be before its first step
+        isOfTime = broken.place.rsplit(".", 1)[-1] in TIMES
+        return {"accepted": "no step"} if isOfTime else {"nothing done": "status 0, no step"}
     bad = notFinite(rows)
-    if bad and not (rows == [] and "endTime" in broken.place):
+    if bad:
         return {"not finite": bad}
     isSenseless = broken.isOurs and broken.kind in SENSELESS and not NAMED.fullmatch(broken.place)
     return {"nonsense accepted": "ran"} if isSenseless else {"accepted": f"{len(rows)} steps"}

@@ -31,6 +31,7 @@ class CoupledCase:
     nu: float
     inflow: float           # [m/s]
     areForcesWhole: bool    # what the fluid loses all goes to the grains
+    isFelt: bool = True     # by the fluid
     stream: float = 0.0     # [m/s] what flows in or is held as mean flow
     grains: str = ""
 
@@ -93,13 +94,15 @@ def onOff(rng, share):
 def grainProperties(rng, case, cell):
     pressure, viscous = onOff(rng, 0.7), onOff(rng, 0.7)
     case.areForcesWhole = pressure == viscous == "on"
+    feedback = onOff(rng, 0.75)
+    case.isFelt = feedback == "on"
     parts = ["materials { m { density %.17g; } }" % case.density,
              "contacts { default { friction %g; restitution %g; %s } }" % (
                  rng.choice([0, 0.3, 0.5, 1, 2]), rng.choice([0, 0, 0.5, 0.9, 1]), rng.choice(["", "", "rollingFriction 0.1;"])),
              lattice(rng, case), forces(rng, case, pressure, viscous),
              "voidFraction { method %s; diffusion %g; minFluidFraction %g; }" % (
                  rng.choice(["exact", "exact", "satellite", "centroid"]), rng.choice([0, 0, 1, 3]), rng.choice([0.2, 0.1, 0.4])),
-             "feedback %s;" % onOff(rng, 0.75), "timeStep { subCycles %d; }" % rng.choice([1, 1, 2, 5])]
+             "feedback %s;" % feedback, "timeStep { subCycles %d; }" % rng.choice([1, 1, 2, 5])]
     if case.kind == "exit":
         parts.append("patches { zMin { type %s; } zMax { type exit; } }" % rng.choice(["wall", "wall", "exit"]))
     if case.kind == "cyclic" and rng.random() < 0.4:
