@@ -17,7 +17,7 @@ using namespace Foam::nscdCoupling::testing;
 namespace
 {
 
-const std::string one = "endTime 1e-4; deltaT 1e-4; writeInterval 1; writePrecision 17;";
+const std::string firstStep = "endTime 1e-4; deltaT 1e-4; writeInterval 1; writePrecision 17;";
 
 const std::string head = "materials { glass { density 2500; } } contacts { default { friction 0.3; } } "
     "patches { front { type wall; } back { type exit; } } ";
@@ -78,7 +78,7 @@ TEST(DragInRuns, aTableGivesItsForce)
     const ProgramCase c
     (
         Files{{"constant/grainProperties", head + "feedback off; grains { type table; file \"grain.txt\"; velocity (0 0 -0.2); } "
-            "forces { drag { law table; table \"cd.txt\"; } pressureGradient off; viscous off; spinDrag off; }"}}, one
+            "forces { drag { law table; table \"cd.txt\"; } pressureGradient off; viscous off; spinDrag off; }"}}, firstStep
     );
     std::ofstream(c.path("constant/grain.txt")) << "0.0375 0.0375 0.0875 0.004\n";
     std::ofstream(c.path("constant/cd.txt")) << "1 1 3\n1000 1 3\n";
@@ -94,7 +94,7 @@ TEST(DragInRuns, aMixOfSizesFeelsTheSameOnAnyNumberOfRanks)
 {
     const std::string drag = "grains { type table; file \"mix.txt\"; velocity (0.02 0 -0.1); } forces { drag { law Beetstra; polydisperse ";
     const Files mixed{{"constant/grainProperties", head + drag + "on; } }"}}, equal{{"constant/grainProperties", head + drag + "off; } }"}};
-    const ProgramCase alone(mixed, one), without(equal, one);
+    const ProgramCase alone(mixed, firstStep), without(equal, firstStep);
     for (const ProgramCase* c : {&alone, &without})
     {
         writeMix(*c);
@@ -111,14 +111,14 @@ TEST(DragInRuns, aMixOfSizesFeelsTheSameOnAnyNumberOfRanks)
     EXPECT_GT(change, 0.05*largest) << "the sizes should matter";
     for (const labelVector& parts : {labelVector(1, 1, 2), labelVector(2, 1, 1), labelVector(2, 2, 1)})
     {
-        const ProgramCase together(mixed, one);
+        const ProgramCase together(mixed, firstStep);
         writeMix(together);
         ASSERT_TRUE(succeeds(together.decompose(parts)));
         const label ranks = parts.x()*parts.y()*parts.z();
         ASSERT_TRUE(succeeds(together.runOn(ranks)));
         const std::map<label, vector> found = forces(together, ranks);
         ASSERT_EQ(found.size(), expected.size());
-        for (const auto& [id, force] : found) EXPECT_LT(mag(force - expected.at(id)), 1e-5*largest) << id << " on " << parts;
+        for (const auto& [id, force] : found) EXPECT_LT(mag(force - expected.at(id)), 1e-5*largest) << id << " on " << ranks;
     }
 }
 
