@@ -5,6 +5,7 @@
 // Tested by tests/unit/closures/dragLawsTest.cpp, tests/unit/closures/dragLawValuesTest.cpp
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace closures
@@ -37,6 +38,12 @@ inline double slipRe(const DragState& s)
 inline double superficialRe(const DragState& s)
 {
     return s.fluidFraction*slipRe(s);
+}
+
+/// phi = 1 - alpha; 0 where round-off has alpha above 1, of which laws take roots.
+inline double solidFraction(const DragState& s)
+{
+    return std::max(0.0, 1 - s.fluidFraction);
 }
 
 namespace drag

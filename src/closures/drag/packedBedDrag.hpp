@@ -49,7 +49,7 @@ inline double gidaspowSmooth(const DragState& s)
 /// Range:    A phi and so the viscous part vanish with phi: warned of above alpha 0.9
 inline double plessisMasliyah(const DragState& s)
 {
-    const double alpha = s.fluidFraction, phi = 1 - alpha;
+    const double alpha = s.fluidFraction, phi = solidFraction(s);
     const double third = std::cbrt(phi), inertial = alpha/(1 - third*third);
     // A phi/alpha, without 0/0 at phi = 0.
     const double viscous = 26.8*third*inertial*inertial/(1 - third);

@@ -52,7 +52,7 @@ inline double kochHillSlope(double phi)
 ///           times Schiller and Naumann's drag at Re 10, 100 and 1000
 inline double kochHill(const DragState& s)
 {
-    const double phi = 1 - s.fluidFraction;
+    const double phi = solidFraction(s);
     const double F0 = phi < 0.4 ? diluteForce(phi, 16.14, -8.48, 8.16) : packedForce(phi);
     return fromWholeForce(s, F0 + 0.5*kochHillSlope(phi)*superficialRe(s));
 }
@@ -91,7 +91,7 @@ inline HillKochLaddTerms hillKochLaddTerms(double phi)
 ///           0.68, 0.62 and 1.06 times Schiller and Naumann's drag at Re 10, 100 and 1000
 inline double hillKochLadd(const DragState& s)
 {
-    const double phi = 1 - s.fluidFraction, R = 0.5*superficialRe(s);
+    const double phi = solidFraction(s), R = 0.5*superficialRe(s);
     const HillKochLaddTerms t = hillKochLaddTerms(phi);
     const double strong = t.F2 + t.F3*R;
     if (phi <= 0.01) return fromWholeForce(s, R <= (t.F2 - 1)/(0.375 - t.F3) ? 1 + 0.375*R : strong);
@@ -105,7 +105,7 @@ inline double hillKochLadd(const DragState& s)
 ///           and Naumann's at Re 10, 100 and 1000
 inline double beetstra(const DragState& s)
 {
-    const double alpha = s.fluidFraction, phi = 1 - alpha, Re = superficialRe(s);
+    const double alpha = s.fluidFraction, phi = solidFraction(s), Re = superficialRe(s);
     const double creeping = 10*phi/(alpha*alpha) + alpha*alpha*(1 + 1.5*std::sqrt(phi));
     // Both parts of the fraction times Re_s^(1/2 + 2 phi), which is 0 at rest.
     const double power = std::pow(Re, 0.5 + 2*phi);
@@ -118,7 +118,7 @@ inline double beetstra(const DragState& s)
 /// Range:    simulated at phi 0.1 to 0.5, Re_s up to 300
 inline double tenneti(const DragState& s)
 {
-    const double alpha = s.fluidFraction, phi = 1 - alpha, Re = superficialRe(s);
+    const double alpha = s.fluidFraction, phi = solidFraction(s), Re = superficialRe(s);
     const double cube = alpha*alpha*alpha, phi3 = phi*phi*phi;
     const double lone = 1 + 0.15*std::pow(Re, 0.687);
     const double F = (lone + 5.81*phi + 0.48*std::cbrt(phi)/alpha)/cube + phi3*Re*(0.95 + 0.61*phi3/(alpha*alpha));

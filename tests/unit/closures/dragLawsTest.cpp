@@ -50,6 +50,16 @@ TEST_P(EveryDragLaw, isPositiveAndFinite)
     }
 }
 
+// Sums of shares give cells without solids an alpha of 1 to round-off, above it as well as below.
+TEST_P(EveryDragLaw, takesAFluidFractionOfOneToRoundOff)
+{
+    for (double Re : {1e-3, 10.0})
+    {
+        const double alone = relativeToStokes(GetParam(), Re, 1);
+        for (double excess : {2.3e-16, 1e-15}) EXPECT_NEAR(relativeToStokes(GetParam(), Re, 1 + excess)/alone, 1, 1e-10) << Re;
+    }
+}
+
 TEST_P(EveryDragLaw, hasItsStokesLimit)
 {
     EXPECT_NEAR(relativeToStokes(GetParam(), 0, 1), GetParam().stokesLimit, 1e-12);
