@@ -12,18 +12,12 @@ namespace closures
 namespace drag
 {
 
-/// gamma of n gamma = phi (viscous mu/d^2 + inertial rho |u - v|/d), n = phi/V grains per volume.
-inline double perVolume(const DragState& s, double viscous, double inertial)
-{
-    const double d = s.size.diameter;
-    return s.size.volume*(viscous*s.viscosity/(d*d) + inertial*s.density*s.slip/d);
-}
-
 /// Equation: n gamma = 150 phi^2 mu/(alpha d^2) + 1.75 phi rho |u - v|/d (Ergun 1952)
 /// Range:    packed beds, Re_s/phi < 2500; its viscous part vanishes with phi
 inline double ergun(const DragState& s)
 {
-    return perVolume(s, 150*(1 - s.fluidFraction)/s.fluidFraction, 1.75);
+    const double d = s.size.diameter, phi = 1 - s.fluidFraction;
+    return s.size.volume*(150*phi*s.viscosity/(s.fluidFraction*d*d) + 1.75*s.density*s.slip/d);
 }
 
 /// Below this fluid fraction Gidaspow's law is Ergun's.
@@ -52,8 +46,8 @@ inline double plessisMasliyah(const DragState& s)
     const double alpha = s.fluidFraction, phi = solidFraction(s);
     const double third = std::cbrt(phi), inertial = alpha/(1 - third*third);
     // A phi/alpha, without 0/0 at phi = 0.
-    const double viscous = 26.8*third*inertial*inertial/(1 - third);
-    return perVolume(s, viscous, inertial*inertial);
+    const double viscous = 26.8*third*inertial*inertial/(1 - third), d = s.size.diameter;
+    return s.size.volume*(viscous*s.viscosity/(d*d) + inertial*inertial*s.density*s.slip/d);
 }
 
 } // namespace drag
