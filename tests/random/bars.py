@@ -2,21 +2,15 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """How often each kind of finding may be, as a share of the trials, and why. What is not listed may not be at all."""
 
-STEPS_AT_CAP = 0.01     # of all steps but those of the scenes below
-STIFF_CLUMPS = "clumps, friction >= 1"
-GROUPS = {
-    STIFF_CLUMPS: (0.3, "friction of clumps is not held where Coulomb's law has no solution: method.md"),
-}
+STEPS_AT_CAP = 0.01     # of all steps
 
 KNOWN = {
     "dry": {
         "unconverged": (0.10, "more than a tenth of the steps: friction of 1 and more, whose steps are held; solvers other than NLGS; jams"),
         "energy growth, clumps": (0.01, "that rebound: they turn by the velocities before the rebound, with which inertia turns"),
-        "energy growth, unconverged": (0.01, "in steps at the cap; the log's warning names it"),
         "energy growth, unconverged, not named": (0.01, "held friction beside rolling friction (456); open"),
         "overlap": (0.01, "clumps that turn meet others on arcs: method.md; grains at the edges of small plates (112, 321): open"),
         "overlap, unconverged": (0.01, "jams: walls that move into grains"),
-        "momentum, at the cap": (0.01, "clumps jammed between walls: impulses of any size, whose round-off is left"),
         "restart refused, overlap": (0.01, "deeper than 0.1 d after jams; maxInitialOverlap lets it"),
         "too fast": (0.01, "more than a period in a step: stopped in words"),
     },

@@ -8,13 +8,12 @@ import shutil
 
 from coupledCases import randomCase
 from program import find, fresh, oneLine, run, write
-from reports import notFinite, readTable
+from reports import notFinite, readTable, wrongContacts
 from trial import Trial
 
 from foamCase import CaseFolder
 
 SECONDS = 90
-OVERLAP = 1e-2      # [mean diameters] what a user would see; overlapTolerance is 5e-4
 VOLUME = 1e-9       # share of the grains' volume: round-off
 ROUND_OFF = 1e-6
 MOMENTUM = 1e-2     # of the grains' weight, what eight corrections of the pressure may leave of a sudden start
@@ -77,13 +76,7 @@ def wrongBalances(case, rows):
 
 
 def wrongMotion(case, rows):
-    found = {}
-    missed = sum(row["converged"] == 0 for row in rows)
-    if missed > 0.1*len(rows):
-        found["unconverged"] = f"{missed} of {len(rows)} steps"
-    deepest = max(rows, key=lambda row: row["overlapMax"])
-    if deepest["overlapMax"] > OVERLAP:
-        found["overlap" if deepest["converged"] else "overlap, unconverged"] = f"{deepest['overlapMax']:.2g} d"
+    found = wrongContacts(rows)
     weight = case.g*case.end*max(1, case.fluidDensity/case.density)
     bound = REACH*(weight + case.stream + 0.2*case.size/case.step)
     speeds = [math.sqrt(2*row["kineticEnergy"]/(case.density*row["grainVolume"])) for row in rows if row["grainVolume"] > 0]

@@ -8,11 +8,9 @@ of the solve: the work of an impulse r is r.(u^- + u')/2, u^- the free velocity.
 
 import math
 
-from bars import STIFF_CLUMPS
-from reports import notFinite, readTable
+from reports import notFinite, readTable, wrongContacts
 from vtpFile import readArray
 
-OVERLAP = 1e-2      # [mean diameters] what a user would see; overlapTolerance is 5e-4
 SLACK = 0.05        # [largest diameters] a center may be outside of the walls: overlaps are another finding
 MOMENTUM = 1e-9     # share of all impulses: round-off
 SLEEP = 2e-3        # share of the weight that sleeping grains may be out of balance by: twice what grainSleep.hpp allows
@@ -28,8 +26,7 @@ def examine(folder, scene):
         return {"not finite": broken}, {}
     files = sorted((folder/"results/grains").glob("*.vtp"))
     found = {**wrongCounts(scene, rows, files), **wrongContacts(rows)}
-    group = STIFF_CLUMPS if scene.arm and scene.laws["friction"] >= 1 else ""
-    figures = {"group": group, "steps": len(rows), "atCap": sum(row["atCap"] for row in rows), "overlap": max(row["overlapMax"] for row in rows)}
+    figures = {"steps": len(rows), "atCap": sum(row["atCap"] for row in rows), "overlap": max(row["overlapMax"] for row in rows)}
     if "steps missing" in found:
         return found, figures
     momenta, error = momentum(scene, rows, files)
@@ -61,17 +58,6 @@ def isOutside(scene, point):
         return False
     return above or any(not -slack < point[axis] < scene.high[axis] + slack for axis in scene.axes if axis != scene.up) or (
         point[scene.up] < -slack)
-
-
-def wrongContacts(rows):
-    found = {}
-    missed = sum(row["converged"] == 0 for row in rows)
-    if missed > 0.1*len(rows):
-        found["unconverged"] = f"{missed} of {len(rows)} steps"
-    deepest = max(rows, key=lambda row: row["overlapMax"])
-    if deepest["overlapMax"] > OVERLAP:
-        found["overlap" if deepest["converged"] else "overlap, unconverged"] = f"{deepest['overlapMax']:.2g} d"
-    return found
 
 
 def clumpVolume(scene):

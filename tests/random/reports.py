@@ -5,6 +5,8 @@
 import csv
 import math
 
+OVERLAP = 1e-2      # [mean diameters] what a user would see; overlapTolerance is 5e-4
+
 
 def readTable(path):
     """Rows by column; what is no number is NaN."""
@@ -28,3 +30,15 @@ def notFinite(rows):
             if not math.isfinite(value):
                 return f"{name} at {row['time']} s"
     return None
+
+
+def wrongContacts(rows):
+    """Steps that did not converge, where they are many, and overlaps."""
+    found = {}
+    missed = sum(row["converged"] == 0 for row in rows)
+    if missed > 0.1*len(rows):
+        found["unconverged"] = f"{missed} of {len(rows)} steps"
+    deepest = max(rows, key=lambda row: row["overlapMax"])
+    if deepest["overlapMax"] > OVERLAP:
+        found["overlap" if deepest["converged"] else "overlap, unconverged"] = f"{deepest['overlapMax']:.2g} d"
+    return found

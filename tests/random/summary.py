@@ -4,7 +4,7 @@
 
 import math
 
-from bars import GROUPS, HARMLESS, KNOWN, STEPS_AT_CAP
+from bars import HARMLESS, KNOWN, STEPS_AT_CAP
 
 SHOWN = 8   # seeds, and findings in words
 
@@ -27,20 +27,14 @@ def isGood(name, kind, number, total):
 
 
 def stepsAtCap(trials):
-    """Group of scenes: steps at the cap, of all steps, and the bar."""
-    found = {}
-    for trial in trials:
-        group = trial.figures.get("group", "")
-        atCap, steps, _ = found.get(group, (0, 0, 0))
-        bar = GROUPS[group][0] if group else STEPS_AT_CAP
-        found[group] = (atCap + trial.figures.get("atCap", 0), steps + trial.figures.get("steps", 0), bar)
-    return {group: counts for group, counts in found.items() if counts[1]}
+    """Steps at the cap, and all steps."""
+    return [sum(trial.figures.get(name, 0) for trial in trials) for name in ("atCap", "steps")]
 
 
 def isWithinBars(name, trials):
-    kinds = byKind(trials)
-    return bool(trials) and all(isGood(name, kind, len(those), len(trials)) for kind, those in kinds.items()) and all(
-        atCap <= bar*steps for atCap, steps, bar in stepsAtCap(trials).values())
+    atCap, steps = stepsAtCap(trials)
+    return bool(trials) and atCap <= STEPS_AT_CAP*steps and all(
+        isGood(name, kind, len(those), len(trials)) for kind, those in byKind(trials).items())
 
 
 def printSummary(name, trials, seconds, folder):
@@ -48,11 +42,10 @@ def printSummary(name, trials, seconds, folder):
     print(f"== {name}: {len(trials)} trials from {trials[0].seed} to {trials[-1].seed}, {seconds:.0f} s; those with findings in {folder}")
     for kind, those in sorted(kinds.items(), key=lambda item: -len(item[1])):
         printKind(name, kind, those, len(trials))
-    for group, (atCap, steps, bar) in stepsAtCap(trials).items():
-        print("%-4s %-28s %.2f %% of %d, bar %g %%" % (
-            "ok" if atCap <= bar*steps else "BAD", "steps at the cap", 100*atCap/steps, steps, 100*bar))
-        if group:
-            print("     %-28s   of %s: %s" % ("", group, GROUPS[group][1]))
+    atCap, steps = stepsAtCap(trials)
+    if steps:
+        verdict = "ok" if atCap <= STEPS_AT_CAP*steps else "BAD"
+        print("%-4s %-28s %.2f %% of %d, bar %g %%" % (verdict, "steps at the cap", 100*atCap/steps, steps, 100*STEPS_AT_CAP))
     slowest = max(trials, key=lambda trial: trial.seconds)
     print("     slowest: %d, %.0f s" % (slowest.seed, slowest.seconds), flush=True)
 

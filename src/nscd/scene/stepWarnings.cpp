@@ -16,15 +16,21 @@ namespace
 
 constexpr int patience = 5;   // steps in a row at the cap: a few are what an impact costs
 
+/// A warning whose text has its measure in the place of a %.3g.
+__attribute__((format(printf, 2, 0))) Warning measured(const char* kind, const char* text, double measure, const char* unit)
+{
+    return {kind, formatted(text, measure), measure, unit};
+}
+
 Warning unlikeMasses(const SolveReport& report)
 {
-    const std::string text = formatted
+    return measured
     (
+        "unlike masses",
         "masses in contact differ by up to 1:%.3g, and the direct method is too dear for this scene or not to be had on several ranks: "
         "velocities have the accuracy asked for, forces under the heavy bodies may not; ask for a finer tolerance where they matter",
-        report.hiddenMassRatio
+        report.hiddenMassRatio, "times as heavy"
     );
-    return {"unlike masses", text, report.hiddenMassRatio, "times as heavy"};
 }
 
 Warning scaledRebounds(const SolveReport& report)
@@ -51,36 +57,36 @@ Warning alwaysAtCap(const SolveReport& report)
 
 Warning frictionHeld(const SolveReport& report)
 {
-    const std::string text = formatted
+    return measured
     (
+        "friction held",
         "no forces were found that obey Coulomb's law at all contacts (a grain in a corner between belt and wall has none where friction is 1 or more; grains wedged "
         "between much heavier ones may have none that sweeps find): friction was held, and is off by %.3g of its limits in the sum; nothing overlaps for it, and no "
         "energy is created; less friction or a smaller time step would do",
-        report.frictionOff
+        report.frictionOff, "of friction's limits"
     );
-    return {"friction held", text, report.frictionOff, "of friction's limits"};
 }
 
 Warning energyFromNowhere(const SolveReport& report)
 {
-    const std::string text = formatted
+    return measured
     (
+        "energy from nowhere",
         "a step whose contact solve has not converged created %.3g J, which grains carry on: what they do from here on is not to be trusted; a larger maxSweeps, "
         "a smaller time step or less friction would do",
-        report.createdEnergy
+        report.createdEnergy, "J in a step"
     );
-    return {"energy from nowhere", text, report.createdEnergy, "J in a step"};
 }
 
 Warning forcesOff(const SolveReport& report)
 {
-    const std::string text = formatted
+    return measured
     (
+        "forces off",
         "velocities have converged, forces not: the mean grain's velocity, weighted by force, is still off by %.3g of what the tolerance multiplies; in a "
         "flow only so many sweeps are spent on that; a smaller tolerance makes velocities and forces finer",
-        report.forceError
+        report.forceError, "of the forces"
     );
-    return {"forces off", text, report.forceError, "of the forces"};
 }
 
 } // namespace

@@ -145,20 +145,29 @@ ContactProblem GrainDynamics::Implementation::makeProblem(double speedScale)
     return problem;
 }
 
-SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external)
+ContactProblem GrainDynamics::Implementation::prepareProblem(const ExternalForces& external)
 {
     prepareSolve(external);
-    const Stopwatch watch(times.solveContacts);
     ContactProblem problem = makeProblem(external.speedScale);
     problem.motion = measureMotion(external.speedScale);
     problem.isDriven = areWallsDriving(external.speedScale);
-    SolveReport report = solveWhereAwake(problem, settings, solve);
+    return problem;
+}
+
+/// A solve of the step's problem, timed, with its account of energy.
+SolveReport GrainDynamics::Implementation::solveBy(ContactSolver solver, ContactProblem& problem, const ExternalForces& external)
+{
+    const Stopwatch watch(times.solveContacts);
+    SolveReport report = solveWhereAwake(problem, settings, solver);
     if (!report.converged) report.createdEnergy = createdEnergy(external, report);
-    if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem)))
-    {
-        report = together(report, holdFriction(external));
-        if (!report.converged) report.createdEnergy = createdEnergy(external, report);
-    }
+    return report;
+}
+
+SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external)
+{
+    ContactProblem problem = prepareProblem(external);
+    SolveReport report = solveBy(solve, problem, external);
+    if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem))) report = together(report, holdFriction(external));
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     return report;
 }

@@ -48,11 +48,8 @@ SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& ex
     for (ContactBlock& block : list.blocks) std::fill_n(&block.r[0][0], 3*blockLanes, 0.0);
     // Laws beside Coulomb's that work within sweeps know of no bounds that are held: such a step is solved without them.
     for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) list.laws.setImpulses(slot, noLawImpulses());
-    prepareSolve(external);
-    ContactProblem problem = makeProblem(external.speedScale);
-    problem.motion = measureMotion(external.speedScale);
-    problem.isDriven = areWallsDriving(external.speedScale);
-    return solveHeld(problem, settings);
+    ContactProblem problem = prepareProblem(external);
+    return solveBy(solveHeld, problem, external);
 }
 
 /// Kinetic energy of what moves here [J], without the spins.

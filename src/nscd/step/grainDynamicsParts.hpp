@@ -103,6 +103,8 @@ struct GrainDynamics::Implementation
     double measureMotion(double speedScale) const;
     bool areWallsDriving(double speedScale) const;
     void prepareSolve(const ExternalForces& external);
+    ContactProblem prepareProblem(const ExternalForces& external);
+    SolveReport solveBy(ContactSolver solver, ContactProblem& problem, const ExternalForces& external);
     SolveReport solveOnce(const ExternalForces& external);
     bool mayHoldFriction() const { return isFrictional && settings.strategy.held.isOn; }
     bool isHarmful(const SolveReport& report) const;

@@ -83,12 +83,35 @@ Vec3 momentum(const nscd::Grains& grains)
     return sum;
 }
 
+/// Friction at the plate below in windows of 100 units of shear: a layer that orders itself reads otherwise from then on.
+class Windows
+{
+public:
+    explicit Windows(int steps) : steps_(steps) {}
+
+    void add(const Vec3& force, double height)
+    {
+        force_ += force;
+        height_ += height;
+        if (++count_ % steps_) return;
+        std::printf("  shear %5d: mu_eff %.3f, height %.2f mm\n", 100*count_/steps_, std::abs(force_[0]/force_[2]), 1e3*height_/steps_);
+        force_.setZero();
+        height_ = 0.0;
+    }
+
+private:
+    int steps_, count_ = 0;
+    Vec3 force_ = Vec3::Zero();
+    double height_ = 0.0;
+};
+
 /// Shears for a while, and takes means over the second half.
 Means shear(const Scene& scene, LoadedPlate& plate, double rate, double shear, double deltaT)
 {
     auto dynamics = scene.build(nscd::ContactSettings());
     const int steps = static_cast<int>(std::lround(shear/rate/deltaT));
     Means means;
+    Windows windows(static_cast<int>(std::lround(100/rate/deltaT)));
     nscd::ExternalForces none;
     none.speedScale = 0.1*rate*meanDiameter;
     for (int k = 0; k < steps; ++k)
@@ -97,6 +120,7 @@ Means shear(const Scene& scene, LoadedPlate& plate, double rate, double shear, d
         dynamics.beginStep(deltaT);
         const nscd::StepReport report = dynamics.advance(none);
         plate.advance(deltaT, dynamics.wallForce()[1][2]);
+        windows.add(dynamics.wallForce()[0], plate.height);
         if (k < steps/2) continue;
         means.capped += report.solve.atCap;
         means.overlap = std::max(means.overlap, report.overlapMax);

@@ -41,12 +41,7 @@ Scene mixture(double large, int few, int many, double width)
         for (const Vec3& center : centers) isFree = isFree && (x - center).norm() > large + 1.05*small;
         if (isFree) scene.addGrain(x, small);
     }
-    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
-    for (int axis = 0; axis < 2; ++axis)
-    {
-        scene.addPlane(Vec3::Zero(), Vec3::Unit(axis));
-        scene.addPlane(width*Vec3::Unit(axis), -Vec3::Unit(axis));
-    }
+    scene.addOpenBox(width);
     return scene;
 }
 

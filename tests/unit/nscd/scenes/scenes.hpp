@@ -7,6 +7,8 @@
 #include "nscd/tools/sceneParts.hpp"
 
 #include <cmath>
+#include <random>
+#include <vector>
 
 namespace scenes
 {
@@ -53,6 +55,32 @@ struct Scene
     void addPlane(const Vec3& point, const Vec3& normal)
     {
         walls.addPlane(walls.addPatch("wall" + std::to_string(walls.patches.size()), 1), point, normal);
+    }
+
+    /// A floor at z = 0, and four walls around a square of this width.
+    void addOpenBox(double width)
+    {
+        addPlane(Vec3::Zero(), Vec3::UnitZ());
+        for (int axis = 0; axis < 2; ++axis)
+        {
+            addPlane(Vec3::Zero(), Vec3::Unit(axis));
+            addPlane(width*Vec3::Unit(axis), -Vec3::Unit(axis));
+        }
+    }
+
+    /// Spheres at random places between the origin and `upper`, in the order of the radii, none nearer to another or a side than 1 % of its radius.
+    void scatter(const std::vector<double>& radii, const Vec3& upper, std::mt19937& random)
+    {
+        std::uniform_real_distribution<double> unit(0, 1);
+        while (grains.size() < radii.size())
+        {
+            const double r = radii[grains.size()], room = 1.01*r;
+            Vec3 x;
+            for (int axis = 0; axis < 3; ++axis) x[axis] = room + (upper[axis] - 2*room)*unit(random);
+            bool isFree = true;
+            for (std::size_t i = 0; i < grains.size() && isFree; ++i) isFree = (x - grains.position[i]).norm() > 1.01*(r + grains.radius[i]);
+            if (isFree) addGrain(x, r);
+        }
     }
 
     nscd::GrainDynamics build(const nscd::ContactSettings& settings = tight()) const

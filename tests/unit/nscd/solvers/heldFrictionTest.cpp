@@ -122,21 +122,8 @@ Scene mixedSizes(int count)
         radii.push_back(0.5/std::sqrt(ofLargest + unit(random)*(ofSmallest - ofLargest)));
     }
     std::sort(radii.begin(), radii.end(), std::greater<double>());
-    const nscd::Grains& placed = scene.grains;
-    while (placed.size() < radii.size())
-    {
-        const double r = radii[placed.size()], room = 1.01*r;
-        const Vec3 x(room + (width - 2*room)*unit(random), room + (width - 2*room)*unit(random), room + (height - 2*room)*unit(random));
-        bool isFree = true;
-        for (std::size_t i = 0; i < placed.size() && isFree; ++i) isFree = (x - placed.position[i]).norm() > 1.01*(r + placed.radius[i]);
-        if (isFree) scene.addGrain(x, r);
-    }
-    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
-    for (int axis = 0; axis < 2; ++axis)
-    {
-        scene.addPlane(Vec3::Zero(), Vec3::Unit(axis));
-        scene.addPlane(width*Vec3::Unit(axis), -Vec3::Unit(axis));
-    }
+    scene.scatter(radii, Vec3(width, width, height), random);
+    scene.addOpenBox(width);
     return scene;
 }
 
