@@ -47,10 +47,8 @@ public:
     /// Gives the bodies, which have the warm impulses of contacts, the law's own impulses of the last step times `scale`, made admissible.
     virtual void startWarm(ContactList&, double /*scale*/) {}
 
-    /// A pass over contacts after their sweep. Returns velocity defects; counts no contact, as the sweep has.
-    virtual DefectSums sweep(Body*, ContactBlock*, BlockRange) { return {0.0, 0.0, 0.0}; }
-    /// The law's share of the natural-map residual at the present state.
-    virtual DefectSums evaluate(const Body*, const ContactBlock*, BlockRange) const { return {0.0, 0.0, 0.0}; }
+    /// The moments of contacts, a block for each of the list, that sweeps solve with the impulses; null: the law has none. One law in use may have some.
+    virtual std::vector<MomentBlock>* moments() { return nullptr; }
 
     /// Adds what the law made of a step.
     virtual void addForces(const ContactList&, const Scene&, double deltaT, ContactSums& sums) const = 0;
@@ -79,11 +77,21 @@ protected:
     std::vector<Slot> slots_;
 };
 
+/// Copies the moment of one contact, with its law.
+inline void copyLane(const MomentBlock& from, int lane, MomentBlock& to, int place)
+{
+    for (int k = 0; k < 3; ++k) to.q[k][place] = from.q[k][lane];
+    to.across[place] = from.across[lane];
+    to.along[place] = from.along[lane];
+    to.shareA[place] = from.shareA[lane];
+    to.shareB[place] = from.shareB[lane];
+}
+
 struct ContactLawRow
 {
     const char* words;           ///< what users call it, for messages and logs
     const char* impulseName;     ///< of the impulse that it keeps of a contact, in files; null: it keeps none
-    bool isSwept;                ///< whether it works within the sweeps, and acts on spins
+    bool isSwept;                ///< whether it gives contacts moments, which are solved within the sweeps and act on spins
     bool isOfStart;              ///< whether what it does in a step follows from the impulses at its start
     bool (*isUsed)(const Materials&);
     double (*range)(const Materials&);             ///< largest gap that it acts across [m]

@@ -4,21 +4,8 @@
 // One law after the other.
 #include "nscd/contacts/listLaws.hpp"
 
-#include <algorithm>
-
 namespace nscd
 {
-
-namespace
-{
-
-void add(DefectSums& contacts, const DefectSums& ofLaw)
-{
-    contacts.sumSquares += ofLaw.sumSquares;
-    contacts.maxSquare = std::max(contacts.maxSquare, ofLaw.maxSquare);
-}
-
-} // namespace
 
 ListLaws::ListLaws(const Materials& materials)
 {
@@ -65,18 +52,13 @@ void ListLaws::startWarm(ContactList& list, double scale)
     for (const auto& law : laws_) law->startWarm(list, scale);
 }
 
-DefectSums ListLaws::sweep(const DefectSums& contacts, Body* bodies, ContactBlock* blocks, BlockRange range)
+std::vector<MomentBlock>* ListLaws::moments() const
 {
-    DefectSums sums = contacts;
-    for (const auto& law : laws_) add(sums, law->sweep(bodies, blocks, range));
-    return sums;
-}
-
-DefectSums ListLaws::evaluate(const DefectSums& contacts, const Body* bodies, const ContactBlock* blocks, BlockRange range) const
-{
-    DefectSums sums = contacts;
-    for (const auto& law : laws_) add(sums, law->evaluate(bodies, blocks, range));
-    return sums;
+    for (const auto& law : laws_)
+    {
+        if (std::vector<MomentBlock>* const moments = law->moments()) return moments;
+    }
+    return nullptr;
 }
 
 void ListLaws::addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const

@@ -33,9 +33,8 @@ public:
     void giveKnown(ContactList& list, double deltaT, double deadBand);
     void startWarm(ContactList& list, double scale);
 
-    /// Sums of a sweep or an evaluation of contacts, and with them those of the laws.
-    DefectSums sweep(const DefectSums& contacts, Body* bodies, ContactBlock* blocks, BlockRange range);
-    DefectSums evaluate(const DefectSums& contacts, const Body* bodies, const ContactBlock* blocks, BlockRange range) const;
+    /// Moments that the contacts of the list bear; null where no law gives them any.
+    std::vector<MomentBlock>* moments() const;
 
     void addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const;
     Vec3 known(std::size_t slot) const;

@@ -38,6 +38,17 @@ struct alignas(64) ContactBlock
     std::int32_t b[blockLanes];
 };
 
+/// The moments that the contacts of a block bear besides, where a law gives them any. A moment impulse M on A, -M on B [N m s], is kept as q = M/R', R' the
+/// reduced radius, and changes the spin variables by a q/(kappa m_A) and -b q/(kappa m_B). Unused lanes carry zeros.
+struct alignas(64) MomentBlock
+{
+    double q[3][blockLanes];     ///< on A, world frame [N s]
+    double across[blockLanes];   ///< most of the part in the tangent plane, over the normal impulse
+    double along[blockLanes];    ///< most of the part along the normal, likewise
+    double shareA[blockLanes];   ///< a = R'/R_A
+    double shareB[blockLanes];   ///< b = R'/R_B: 1 - a, or 1 at a wall, as a is
+};
+
 /// A bias that no velocity reaches: keeps far contacts out without an infinity [m/s].
 constexpr double unreachable = 1e30;
 
@@ -65,6 +76,12 @@ using SweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, BlockRa
 /// A sweep that moves the impulses of each block on first, by theta of what they changed since `before` (numbered as in ReplaceFunction), which receives
 /// them as they were; velocities are those of impulses moved on.
 using MomentumSweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, BlockRange range, double* before, double theta);
+
+/// The same passes where contacts bear moments, which are solved with the impulses; block k of moments belongs to block k of contacts. An evaluation is that
+/// of moments alone, and counts no contact.
+using MomentSweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, MomentBlock* moments, BlockRange range);
+using MomentSweepOnFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, MomentBlock* moments, BlockRange range, double* before, double* momentsBefore, double theta);
+using MomentEvaluateFunction = DefectSums (*)(const Body* bodies, const ContactBlock* blocks, const MomentBlock* moments, BlockRange range);
 
 /// Replaces the impulses of blocks by `target` (24 numbers a block of the range: x, y, z of eight lanes each), made admissible by
 /// cutting attraction off and scaling the tangential part into the friction disc, and moves the velocities along; `target`
@@ -144,6 +161,9 @@ struct SweepKernels
     SweepFunction sweepHeld;          ///< friction[] of the blocks is the bound of friction itself [N s]
     MomentumSweepFunction sweepOnHeld;
     SweepFunction evaluateHeld;
+    MomentSweepFunction sweepMoments;
+    MomentSweepOnFunction sweepMomentsOn;
+    MomentEvaluateFunction evaluateMoments;
 };
 
 } // namespace nscd

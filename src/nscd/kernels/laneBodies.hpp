@@ -7,6 +7,7 @@
 #pragma once
 
 #include "nscd/kernels/blockPrefetch.hpp"
+#include "nscd/kernels/laneVectors.hpp"
 
 namespace nscd
 {
@@ -24,6 +25,15 @@ struct Relative
     Real spin;    ///< sum of 1/(kappa m)
 };
 
+/// Relative spin of A and B in the shares that a moment has of them.
+template<class V>
+struct Turning
+{
+    using Real = typename V::Real;
+    Real w[3];       ///< a s_A - b s_B
+    Real coupling;   ///< a/(kappa m_A) - b/(kappa m_B)
+};
+
 /// DefectSums of the contacts that each lane passes over.
 template<class V>
 struct LaneSums
@@ -36,6 +46,13 @@ struct LaneSums
         squares += defect2*isActive;
         max = V::max(max, defect2);
         active += isActive;
+    }
+
+    /// A defect of a contact that has been counted.
+    __attribute__((always_inline)) void addMoment(Real defect2)
+    {
+        squares += defect2;
+        max = V::max(max, defect2);
     }
 
     DefectSums total() const

@@ -99,15 +99,15 @@ inline void extrapolateLanes(double* x, double* before, const Lanes& theta)
     storeLanes(before, now);
 }
 
-inline void extrapolateBlock(ContactBlock& block, double* before, const Lanes& theta)
+inline void extrapolateBlock(double (&r)[3][blockLanes], double* before, const Lanes& theta)
 {
-    for (int m = 0; m < 3; ++m) extrapolateLanes(block.r[m], before + m*blockLanes, theta);
+    for (int m = 0; m < 3; ++m) extrapolateLanes(r[m], before + m*blockLanes, theta);
 }
 
 inline void extrapolateImpulses(ContactBlock* blocks, BlockRange range, double* before, double theta)
 {
     const Lanes share = Lanes{} + theta;
-    for (std::size_t k = 0; k < range.count; ++k) extrapolateBlock(blocks[range[k]], before + 3*k*blockLanes, share);
+    for (std::size_t k = 0; k < range.count; ++k) extrapolateBlock(blocks[range[k]].r, before + 3*k*blockLanes, share);
 }
 
 static_assert(sizeof(Body) == sizeof(Lanes), "a body is eight numbers, of which two stay");

@@ -8,6 +8,7 @@
 
 #include "nscd/kernels/discKernel.hpp"
 #include "nscd/kernels/mixingKernel.hpp"
+#include "nscd/kernels/momentKernel.hpp"
 #include "nscd/kernels/startKernel.hpp"
 
 namespace nscd
@@ -138,7 +139,7 @@ template<class V, class Local>
 DefectSums sweepOn(Body* bodies, ContactBlock* blocks, BlockRange range, double* before, double theta)
 {
     const Lanes share = Lanes{} + theta;
-    return passOver<V, Local, true>(bodies, blocks, range, [=](ContactBlock& block, std::size_t k) { extrapolateBlock(block, before + 3*k*blockLanes, share); });
+    return passOver<V, Local, true>(bodies, blocks, range, [=](ContactBlock& block, std::size_t k) { extrapolateBlock(block.r, before + 3*k*blockLanes, share); });
 }
 
 template<class V, bool isFrictional>
@@ -182,7 +183,8 @@ constexpr SweepKernels makeKernels(const char* name)
             {passOverBlocks<V, Discs<0>, true>, passOverBlocks<V, Discs<1>, true>, passOverBlocks<V, Discs<2>, true>},
             {sweepOn<V, Discs<0>>, sweepOn<V, Discs<1>>, sweepOn<V, Discs<2>>},
             {passOverBlocks<V, Discs<0>, false>, passOverBlocks<V, Discs<1>, false>, passOverBlocks<V, Discs<2>, false>},
-            passOverBlocks<V, HeldSpheres, true>, sweepOn<V, HeldSpheres>, passOverBlocks<V, HeldSpheres, false>};
+            passOverBlocks<V, HeldSpheres, true>, sweepOn<V, HeldSpheres>, passOverBlocks<V, HeldSpheres, false>,
+            sweepMoments<V>, sweepMomentsOn<V>, evaluateMoments<V>};
 }
 
 } // namespace

@@ -58,6 +58,16 @@ struct Avx2Lanes
         relative = {{v[0], v[1], v[2]}, v[3], {s[0], s[1], s[2]}, s[3]};
     }
 
+    static bool isAnyPositive(Real x) { return _mm256_movemask_pd(_mm256_cmp_pd(x, zero(), _CMP_GT_OQ)) != 0; }
+
+    static void loadTurning(const Body* bodies, const std::int32_t* a, const std::int32_t* b, const double* shareA, const double* shareB, Turning<Avx2Lanes>& turning)
+    {
+        Real w[4];
+        for (int l = 0; l < lanes; ++l) w[l] = _mm256_set1_pd(shareA[l])*_mm256_load_pd(bodies[a[l]].s) - _mm256_set1_pd(shareB[l])*_mm256_load_pd(bodies[b[l]].s);
+        transpose(w[0], w[1], w[2], w[3]);
+        turning = {{w[0], w[1], w[2]}, w[3]};
+    }
+
     template<bool hasSpin>
     __attribute__((always_inline)) static void push(Body* bodies, const std::int32_t* a, const std::int32_t* b, Real dx, Real dy, Real dz, Real mx, Real my, Real mz)
     {
@@ -73,6 +83,28 @@ struct Avx2Lanes
             if (!hasSpin) continue;
             _mm256_store_pd(bodyA.s, _mm256_load_pd(bodyA.s) + _mm256_set1_pd(bodyA.invSpin)*m[l]);
             _mm256_store_pd(bodyB.s, _mm256_load_pd(bodyB.s) + _mm256_set1_pd(bodyB.invSpin)*m[l]);
+        }
+    }
+
+    using Vector = LaneVector<Avx2Lanes>;
+
+    __attribute__((always_inline)) static void pushTurning
+    (
+        Body* bodies, const std::int32_t* a, const std::int32_t* b, const double* shareA, const double* shareB, const Vector& d, const Vector& m, const Vector& q
+    )
+    {
+        Real v[4] = {d.x, d.y, d.z, zero()}, s[4] = {m.x, m.y, m.z, zero()}, t[4] = {q.x, q.y, q.z, zero()};
+        transpose(v[0], v[1], v[2], v[3]);
+        transpose(s[0], s[1], s[2], s[3]);
+        transpose(t[0], t[1], t[2], t[3]);
+        for (int l = 0; l < lanes; ++l)
+        {
+            Body& bodyA = bodies[a[l]];
+            Body& bodyB = bodies[b[l]];
+            _mm256_store_pd(bodyA.v, _mm256_load_pd(bodyA.v) + _mm256_set1_pd(bodyA.invMass)*v[l]);
+            _mm256_store_pd(bodyB.v, _mm256_load_pd(bodyB.v) - _mm256_set1_pd(bodyB.invMass)*v[l]);
+            _mm256_store_pd(bodyA.s, _mm256_load_pd(bodyA.s) + _mm256_set1_pd(bodyA.invSpin)*(s[l] + _mm256_set1_pd(shareA[l])*t[l]));
+            _mm256_store_pd(bodyB.s, _mm256_load_pd(bodyB.s) + _mm256_set1_pd(bodyB.invSpin)*(s[l] - _mm256_set1_pd(shareB[l])*t[l]));
         }
     }
 };

@@ -70,6 +70,23 @@ struct Avx512Lanes
         relative = {{x[0], x[1], x[2]}, x[3], {x[4], x[5], x[6]}, x[7]};
     }
 
+    static bool isAnyPositive(Real x) { return _mm512_cmp_pd_mask(x, zero(), _CMP_GT_OQ) != 0; }
+
+    static void loadTurning(const Body* bodies, const std::int32_t* a, const std::int32_t* b, const double* shareA, const double* shareB, Turning<Avx512Lanes>& turning)
+    {
+        __m256d row[8];
+        for (int l = 0; l < lanes; ++l) row[l] = _mm256_set1_pd(shareA[l])*_mm256_load_pd(bodies[a[l]].s) - _mm256_set1_pd(shareB[l])*_mm256_load_pd(bodies[b[l]].s);
+        Real x[4];
+        for (int l = 0; l < 4; ++l) x[l] = _mm512_insertf64x4(_mm512_castpd256_pd512(row[l]), row[l + 4], 1);
+        const Real xz01 = _mm512_unpacklo_pd(x[0], x[1]), yc01 = _mm512_unpackhi_pd(x[0], x[1]);
+        const Real xz23 = _mm512_unpacklo_pd(x[2], x[3]), yc23 = _mm512_unpackhi_pd(x[2], x[3]);
+        const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13), second = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+        turning.w[0] = _mm512_permutex2var_pd(xz01, first, xz23);
+        turning.w[1] = _mm512_permutex2var_pd(yc01, first, yc23);
+        turning.w[2] = _mm512_permutex2var_pd(xz01, second, xz23);
+        turning.coupling = _mm512_permutex2var_pd(yc01, second, yc23);
+    }
+
     /// Rows of four of the columns x, y, z, 0.
     static void rows(Real x, Real y, Real z, __m256d (&row)[8])
     {
@@ -106,6 +123,28 @@ struct Avx512Lanes
             if (!hasSpin) continue;
             add(bodyA.s, bodyA.invSpin, m[l]);
             add(bodyB.s, bodyB.invSpin, m[l]);
+        }
+    }
+
+    using Vector = LaneVector<Avx512Lanes>;
+
+    __attribute__((always_inline)) static void pushTurning
+    (
+        Body* bodies, const std::int32_t* a, const std::int32_t* b, const double* shareA, const double* shareB, const Vector& d, const Vector& m, const Vector& q
+    )
+    {
+        __m256d v[8], s[8], t[8];
+        rows(d.x, d.y, d.z, v);
+        rows(m.x, m.y, m.z, s);
+        rows(q.x, q.y, q.z, t);
+        for (int l = 0; l < lanes; ++l)
+        {
+            Body& bodyA = bodies[a[l]];
+            Body& bodyB = bodies[b[l]];
+            add(bodyA.v, bodyA.invMass, v[l]);
+            subtract(bodyB.v, bodyB.invMass, v[l]);
+            add(bodyA.s, bodyA.invSpin, s[l] + _mm256_set1_pd(shareA[l])*t[l]);
+            add(bodyB.s, bodyB.invSpin, s[l] - _mm256_set1_pd(shareB[l])*t[l]);
         }
     }
 };

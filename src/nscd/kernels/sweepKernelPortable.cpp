@@ -62,6 +62,19 @@ struct PairLanes
                     {low(sxy[0], sxy[1]), high(sxy[0], sxy[1]), low(szm[0], szm[1])}, high(szm[0], szm[1])};
     }
 
+    static bool isAnyPositive(Real x) { return x[0] > 0.0 || x[1] > 0.0; }
+
+    static void loadTurning(const Body* bodies, const std::int32_t* a, const std::int32_t* b, const double* shareA, const double* shareB, Turning<PairLanes>& turning)
+    {
+        Real xy[2], zm[2];
+        for (int l = 0; l < lanes; ++l)
+        {
+            xy[l] = shareA[l]*load(bodies[a[l]].s) - shareB[l]*load(bodies[b[l]].s);
+            zm[l] = shareA[l]*load(bodies[a[l]].s + 2) - shareB[l]*load(bodies[b[l]].s + 2);
+        }
+        turning = {{low(xy[0], xy[1]), high(xy[0], xy[1]), low(zm[0], zm[1])}, high(zm[0], zm[1])};
+    }
+
     static void add(double* row, double mobility, Real xy, Real z)
     {
         store(row, load(row) + mobility*xy);
@@ -82,6 +95,22 @@ struct PairLanes
             if (!hasSpin) continue;
             add(bodyA.s, bodyA.invSpin, mxy[l], mz0[l]);
             add(bodyB.s, bodyB.invSpin, mxy[l], mz0[l]);
+        }
+    }
+
+    using Vector = LaneVector<PairLanes>;
+
+    __attribute__((always_inline)) static void pushTurning
+    (
+        Body* bodies, const std::int32_t* a, const std::int32_t* b, const double* shareA, const double* shareB, const Vector& d, const Vector& m, const Vector& q
+    )
+    {
+        push<true>(bodies, a, b, d.x, d.y, d.z, m.x, m.y, m.z);
+        const Real xy[2] = {low(q.x, q.y), high(q.x, q.y)}, z0[2] = {low(q.z, zero()), high(q.z, zero())};
+        for (int l = 0; l < lanes; ++l)
+        {
+            add(bodies[a[l]].s, bodies[a[l]].invSpin*shareA[l], xy[l], z0[l]);
+            add(bodies[b[l]].s, -bodies[b[l]].invSpin*shareB[l], xy[l], z0[l]);
         }
     }
 };

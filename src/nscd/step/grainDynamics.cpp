@@ -138,7 +138,7 @@ ContactProblem GrainDynamics::Implementation::makeProblem(double speedScale)
         list.position
     };
     problem.massRatio = massRatio;
-    problem.laws = list.laws.areSwept() ? &list.laws : nullptr;
+    problem.moments = list.laws.moments();
     problem.general = list.general.empty() ? nullptr : &list.general;
     problem.packing = &packing;
     problem.freeVelocity = &freeVelocity;

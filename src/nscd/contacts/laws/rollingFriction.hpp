@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Resistance to rolling and to spinning: laws of Coulomb's kind for the moment that a contact bears, beside the sweep kernels.
+// Resistance to rolling and to spinning: laws of Coulomb's kind for the moment that a contact bears, solved by the kernels of moments.
 #pragma once
 
 #include "nscd/contacts/contactLaw.hpp"
 
 namespace nscd
 {
-
-struct RollingSlot
-{
-    double q[3] = {0.0, 0.0, 0.0};   ///< on A, world frame [N s]
-    double rolling = 0.0;            ///< mu_r
-    double spinning = 0.0;           ///< mu_s
-    double shareA = 0.0;             ///< a = R'/R_A
-    double shareB = 0.0;             ///< b = R'/R_B, 1 at a wall, whose s is R_A omega of the wall (0 at rest)
-
-    bool isUsed() const { return rolling > 0.0 || spinning > 0.0; }
-    bool isLoaded() const { return q[0] != 0.0 || q[1] != 0.0 || q[2] != 0.0; }
-};
 
 /// With the reduced radius R' = R_A R_B/(R_A + R_B) (at a wall: R_A; Ai et al. 2011, Powder Technol. 206, 269) and the relative
 /// angular velocity omega = omega_A - omega_B, a contact bears a moment impulse M on A, -M on B [N m s], written as q = M/R' [N s],
@@ -29,26 +17,27 @@ struct RollingSlot
 /// (set-valued as Coulomb's law; in contact dynamics Estrada, Taboada & Radjai 2008, Phys. Rev. E 78, 021301). In the spin variables
 /// s = R omega: w = a s_A - b s_B with a = R'/R_A, b = R'/R_B, q changes s_A by a q/(kappa m_A) and s_B by -b q/(kappa m_B), and for
 /// spheres and discs w changes by W_r q, W_r = a^2/(kappa m_A) + b^2/(kappa m_B).
-class RollingFriction : public LawOfSlots<RollingSlot>
+class RollingFriction : public ContactLaw
 {
 public:
+    void resize(std::size_t slots) override { blocks_.resize((slots + blockLanes - 1)/blockLanes, MomentBlock()); }
+    void copy(const ContactLaw& from, std::size_t source, std::size_t target) override;
     void set(std::size_t slot, const ContactPair& pair, double radiusA, double radiusB) override;
 
     /// Last step's moments times `scale`, turned into the present tangent planes and cut to what the impulses allow.
     void startWarm(ContactList& list, double scale) override;
 
-    /// Each contact's moment, and with it its tangential impulse as far as it sticks, solved exactly with all others and the normal
-    /// impulses held.
-    DefectSums sweep(Body* bodies, ContactBlock* blocks, BlockRange range) override;
-    /// e = W_r |q - Proj(q - w/W_r)|, rolling and spinning part.
-    DefectSums evaluate(const Body* bodies, const ContactBlock* blocks, BlockRange range) const override;
+    std::vector<MomentBlock>* moments() override { return &blocks_; }
 
     void addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const override;
     /// R' q.
     Vec3 moment(const ContactList& list, std::size_t slot) const override;
 
-    Vec3 impulse(std::size_t slot) const override { return Vec3(slots_[slot].q); }
+    Vec3 impulse(std::size_t slot) const override;
     void setImpulse(std::size_t slot, const Vec3& q) override;
+
+private:
+    std::vector<MomentBlock> blocks_;   ///< `across` holds mu_r, `along` mu_s
 };
 
 } // namespace nscd

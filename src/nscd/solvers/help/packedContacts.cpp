@@ -4,6 +4,8 @@
 // Lanes taken out of a list's blocks, and put back.
 #include "nscd/solvers/help/packedContacts.hpp"
 
+#include "nscd/contacts/contactLaw.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -51,7 +53,7 @@ void putOutOfReach(ContactBlock& block, int lane)
 
 bool PackedContacts::isWorthwhile(const ContactProblem& whole, const SolverStrategy::Packing& strategy) const
 {
-    return strategy.isOn && whole.isFlowing() && !whole.laws && !whole.general && !whole.halo.isParallel()
+    return strategy.isOn && whole.isFlowing() && !whole.general && !whole.halo.isParallel()
         && lastSweeps_ >= strategy.longSolve && whole.awake.size() >= strategy.largeProblem;
 }
 
@@ -71,12 +73,14 @@ void PackedContacts::append(const std::vector<std::uint32_t>& slots, int staticB
 
     const std::size_t before = blocks_.size();
     blocks_.resize(before + batches.blocks, emptyBlock(staticBody));
+    if (homeMoments_) moments_.resize(blocks_.size(), MomentBlock());
     slotOf_.resize(blocks_.size()*blockLanes, noSlot);
     for (std::size_t k = 0; k < slots.size(); ++k)
     {
         const std::size_t place = before*blockLanes + batches.slotOf[k];
         ContactBlock& from = home[slots[k]/blockLanes];
         copyLane(from, slots[k] % blockLanes, blocks_[place/blockLanes], place % blockLanes);
+        if (homeMoments_) copyLane((*homeMoments_)[slots[k]/blockLanes], slots[k] % blockLanes, moments_[place/blockLanes], place % blockLanes);
         putOutOfReach(from, slots[k] % blockLanes);
         slotOf_[place] = slots[k];
     }
@@ -87,7 +91,9 @@ void PackedContacts::append(const std::vector<std::uint32_t>& slots, int staticB
 ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
 {
     home_ = &whole.blocks;
+    homeMoments_ = whole.moments;
     blocks_.clear();
+    moments_.clear();
     slotOf_.clear();
     awake_.clear();
     const int staticBody = static_cast<int>(whole.bodies.size()) - 1;
@@ -110,6 +116,7 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
     packed.motion = whole.motion;
     packed.isDriven = whole.isDriven;
     packed.massRatio = whole.massRatio;
+    packed.moments = whole.moments ? &moments_ : nullptr;
     packed.leftOut = this;
     packed.freeVelocity = whole.freeVelocity;
     return packed;
@@ -150,6 +157,7 @@ void PackedContacts::giveBack(ContactProblem& whole) const
         ContactBlock& to = whole.blocks[slotOf_[place]/blockLanes];
         const std::size_t lane = place % blockLanes, home = slotOf_[place] % blockLanes;
         for (int k = 0; k < 3; ++k) to.r[k][home] = from.r[k][lane];
+        for (int k = 0; k < 3 && homeMoments_; ++k) (*homeMoments_)[slotOf_[place]/blockLanes].q[k][home] = moments_[place/blockLanes].q[k][lane];
         to.bias[home] = from.bias[lane];
         isAwake[slotOf_[place]/blockLanes] = 1;
     }

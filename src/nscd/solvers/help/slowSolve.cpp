@@ -89,7 +89,7 @@ void SlowSolve::start(int sweeps)
 
 bool SlowSolve::hasHelp() const { return isCold_ || isFlowing() ? strategy_.momentum.isOn : strategy_.mixing.isOn; }
 
-bool SlowSolve::isFlowing() const { return problem_.isFlowing() && !problem_.laws && !problem_.general; }
+bool SlowSolve::isFlowing() const { return problem_.isFlowing() && !problem_.general; }
 
 void SlowSolve::makeMixing()
 {

@@ -96,7 +96,8 @@ std::vector<std::uint32_t> StiffClusters::around(std::uint32_t seed)
         }
     };
     add(seed);
-    while (!next.empty() && slots.size() < strategy_.contacts)
+    const std::size_t least = problem_.moments ? strategy_.contactsWithMoments : strategy_.contacts;
+    while (!next.empty() && slots.size() < least)
     {
         const std::int32_t body = next.top().second;
         next.pop();
@@ -106,7 +107,7 @@ std::vector<std::uint32_t> StiffClusters::around(std::uint32_t seed)
             const std::uint32_t slot = slotsOfBody_[k];
             if (!isTaken_[slot] && mayCarry(slot)) more.push_back(slot);
         }
-        if (slots.size() + more.size() <= ClusterSolve::mostContacts) std::for_each(more.begin(), more.end(), add);
+        if (static_cast<int>(slots.size() + more.size()) <= ClusterSolve::mostContacts(problem_)) std::for_each(more.begin(), more.end(), add);
     }
     return slots;
 }

@@ -88,8 +88,32 @@ double SweepMomentum::nextTheta(bool isNear)
 void SweepMomentum::keepImage()
 {
     gatherImpulses(problem_.blocks, problem_.active(), image_);
+    gatherMoments();
     bodies_ = problem_.bodies;
     hasImage_ = true;
+}
+
+void SweepMomentum::gatherMoments()
+{
+    if (!problem_.moments) return;
+    const BlockRange active = problem_.active();
+    moments_.resize(blockSize*active.count);
+    for (std::size_t k = 0; k < active.count; ++k) std::copy_n(&(*problem_.moments)[active[k]].q[0][0], blockSize, moments_.data() + k*blockSize);
+}
+
+void SweepMomentum::extrapolateMoments(double theta)
+{
+    const BlockRange active = problem_.active();
+    for (std::size_t k = 0; problem_.moments && k < active.count; ++k)
+    {
+        double *const q = &(*problem_.moments)[active[k]].q[0][0], *const before = moments_.data() + k*blockSize;
+        for (int i = 0; i < blockSize; ++i)
+        {
+            const double now = q[i];
+            q[i] += theta*(now - before[i]);
+            before[i] = now;
+        }
+    }
 }
 
 void SweepMomentum::extrapolate(double theta)
@@ -100,14 +124,15 @@ void SweepMomentum::extrapolate(double theta)
     if (kind_ == Kind::flowing)
     {
         // The sweep that follows comes by all blocks anyway.
-        forNextSweep_ = {image_.data(), theta};
+        forNextSweep_ = {image_.data(), moments_.data(), theta};
         return;
     }
     kernels.extrapolate(problem_.blocks.data(), problem_.active(), image_.data(), theta);
+    extrapolateMoments(theta);
     gatherImpulses(problem_.blocks, problem_.active(), start_);
 }
 
-/// Where impulses are not all that moves bodies (moments of laws, general bodies): velocities follow the impulses, projected on their cones.
+/// Where blocks do not tell all that moves bodies (general bodies): velocities follow the impulses, projected on their cones.
 void SweepMomentum::extrapolateImpulsesAlone(double theta)
 {
     gatherImpulses(problem_.blocks, problem_.active(), start_);
@@ -127,6 +152,7 @@ void SweepMomentum::grow()
 {
     const std::size_t numbers = blockSize*problem_.active().count;
     if (!image_.empty()) image_.resize(numbers, 0.0);
+    if (!moments_.empty()) moments_.resize(numbers, 0.0);
     if (!start_.empty()) start_.resize(numbers, 0.0);
 }
 
@@ -138,6 +164,7 @@ void SweepMomentum::revert()
     {
         const double* const held = image_.data() + k*blockSize;
         std::copy(held, held + blockSize, &problem_.blocks[active[k]].r[0][0]);
+        if (problem_.moments) std::copy_n(moments_.data() + k*blockSize, blockSize, &(*problem_.moments)[active[k]].q[0][0]);
     }
     problem_.bodies = bodies_;
 }

@@ -32,10 +32,35 @@ void add(DefectSums& sums, const DefectSums& more)
     if (!(more.maxSquare <= sums.maxSquare)) sums.maxSquare = more.maxSquare;
 }
 
+/// What is left of it behind so many blocks.
+SweepOn behind(const SweepOn& on, std::size_t blocks)
+{
+    const std::size_t numbers = 3*blockLanes*blocks;
+    return {on.before ? on.before + numbers : nullptr, on.momentsBefore ? on.momentsBefore + numbers : nullptr, on.theta};
+}
+
+DefectSums sweepWithMoments(ContactProblem& problem, BlockRange range, const SweepOn& on)
+{
+    Body* const bodies = problem.bodies.data();
+    ContactBlock* const blocks = problem.blocks.data();
+    MomentBlock* const moments = problem.moments->data();
+    if (!on.before) return problem.kernels.sweepMoments(bodies, blocks, moments, range);
+    return problem.kernels.sweepMomentsOn(bodies, blocks, moments, range, on.before, on.momentsBefore, on.theta);
+}
+
+DefectSums evaluateBlocks(ContactProblem& problem, BlockRange range)
+{
+    const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
+    DefectSums sums = evaluate(problem.bodies.data(), problem.blocks.data(), range);
+    if (problem.moments) add(sums, problem.kernels.evaluateMoments(problem.bodies.data(), problem.blocks.data(), problem.moments->data(), range));
+    return sums;
+}
+
 } // namespace
 
 DefectSums sweepBlocks(ContactProblem& problem, BlockRange range, const SweepOn& on)
 {
+    if (problem.moments) return sweepWithMoments(problem, range, on);
     const SweepKernels& kernels = problem.kernels;
     if (on.before)
     {
@@ -43,8 +68,7 @@ DefectSums sweepBlocks(ContactProblem& problem, BlockRange range, const SweepOn&
         return sweepOn(problem.bodies.data(), problem.blocks.data(), range, on.before, on.theta);
     }
     const SweepFunction sweep = problem.isFrictional ? kernels.sweep : kernels.sweepFrictionless;
-    const DefectSums contacts = sweep(problem.bodies.data(), problem.blocks.data(), range);
-    return problem.laws ? problem.laws->sweep(contacts, problem.bodies.data(), problem.blocks.data(), range) : contacts;
+    return sweep(problem.bodies.data(), problem.blocks.data(), range);
 }
 
 double netImpulse(const ContactProblem& problem)
@@ -90,8 +114,7 @@ DefectSums sweepActive(ContactProblem& problem, const SweepOn& on)
     if (problem.general) add(inner, sweepGeneral(problem.bodies.data(), problem.blocks.data(), *problem.general, problem.activeGeneral()));
     if (!problem.halo.isParallel()) return inner;
     problem.halo.giveVelocities(problem.bodies);
-    const SweepOn onBetween{on.before ? on.before + 3*blockLanes*insideRank.count : nullptr, on.theta};
-    const DefectSums between = sweepBlocks(problem, problem.interface(), onBetween);
+    const DefectSums between = sweepBlocks(problem, problem.interface(), behind(on, insideRank.count));
     problem.halo.takeVelocities(problem.bodies);
     return overRanks(problem.halo, inner, between);
 }
@@ -114,19 +137,16 @@ void replaceImpulses(ContactProblem& problem, std::vector<double>& target)
 
 DefectSums residualOfActive(ContactProblem& problem)
 {
-    if (problem.laws || problem.general) return residual(problem);
-    const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
+    if (problem.general) return residual(problem);
     problem.halo.giveVelocities(problem.bodies);
-    const DefectSums here = evaluate(problem.bodies.data(), problem.blocks.data(), problem.active());
+    const DefectSums here = evaluateBlocks(problem, problem.active());
     return problem.halo.isParallel() ? overRanks(problem.halo, here, {0.0, 0.0, 0.0}) : here;
 }
 
 DefectSums residual(ContactProblem& problem)
 {
-    const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
     problem.halo.giveVelocities(problem.bodies);
-    DefectSums here = evaluate(problem.bodies.data(), problem.blocks.data(), problem.all());
-    if (problem.laws) here = problem.laws->evaluate(here, problem.bodies.data(), problem.blocks.data(), problem.all());
+    DefectSums here = evaluateBlocks(problem, problem.all());
     if (problem.general) add(here, evaluateGeneral(problem.bodies.data(), problem.blocks, *problem.general));
     if (problem.leftOut) add(here, problem.leftOut->defects(problem));
     if (!problem.halo.isParallel()) return here;

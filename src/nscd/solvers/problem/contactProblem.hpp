@@ -5,7 +5,6 @@
 #pragma once
 
 #include "nscd/contacts/general/generalBodies.hpp"
-#include "nscd/contacts/listLaws.hpp"
 #include "nscd/kernels/contactBlock.hpp"
 #include "nscd/kernels/halo.hpp"
 
@@ -31,7 +30,8 @@ public:
 /// How far a sweep moves the impulses of each active block on before it solves them (see MomentumSweepFunction); velocities have been moved already.
 struct SweepOn
 {
-    double* before = nullptr;   ///< impulses before the last sweep, as ReplaceFunction numbers them; null: not at all
+    double* before = nullptr;          ///< impulses before the last sweep, as ReplaceFunction numbers them; null: not at all
+    double* momentsBefore = nullptr;   ///< the moments, likewise, where contacts bear any
     double theta = 0.0;
 };
 
@@ -54,8 +54,8 @@ struct ContactProblem
     const std::vector<Vec3>& position;  ///< of all bodies but the static one [m]
     /// Mean over the grains of min(1, speed/speedScale) before the step: 1 in a flow, small in a bed at rest.
     double motion = 1.0;
-    /// Laws that work within the sweeps; null in scenes without.
-    ListLaws* laws = nullptr;
+    /// Moments that the contacts bear, a block for each of theirs; null where they bear none.
+    std::vector<MomentBlock>* moments = nullptr;
     /// Of all bodies that move, heaviest to lightest.
     double massRatio = 1.0;
     /// Velocities without any contact impulse, of the bodies that this rank owns; null: not known, and forces are not judged.
@@ -97,7 +97,7 @@ void replaceImpulses(ContactProblem& problem, std::vector<double>& target);
 
 /// The residual every solver is judged by: natural map in velocity units,
 /// e_n = W_nn |r_n - max(0, r_n - (u_n + b)/W_nn)|, e_t = W_tt |r_t - Proj_{mu r_n}(r_t - u_t/W_tt)|; rms over active contacts, and max.
-/// Laws within the sweeps add their own to the sum, and to the maximum as contacts of their own.
+/// Moments add theirs to the sum, and to the maximum as contacts of their own.
 /// Where n ranks move a body, W is taken n times, which can only make e larger.
 DefectSums residual(ContactProblem& problem);
 /// The same of the active blocks alone, which is less.

@@ -26,6 +26,7 @@ struct Grid
     nscd::Halo alone;
     nscd::SweepKernels kernels = nscd::chooseKernels("portable");
     bool isFrictional;
+    std::vector<nscd::MomentBlock> moments;   ///< of grids that roll
 
     explicit Grid(bool hasFriction) : isFrictional(hasFriction)
     {
@@ -68,7 +69,22 @@ struct Grid
 
     nscd::ContactProblem problem()
     {
-        return {bodies, blocks, awake, blocks.size(), alone, kernels, isFrictional, 1.0, 1.0, 1.0, position};
+        nscd::ContactProblem problem{bodies, blocks, awake, blocks.size(), alone, kernels, isFrictional, 1.0, 1.0, 1.0, position};
+        if (!moments.empty()) problem.moments = &moments;
+        return problem;
+    }
+
+    /// Lets contacts bear moments.
+    void roll()
+    {
+        moments.resize(blocks.size(), nscd::MomentBlock());
+        for (nscd::MomentBlock& block : moments)
+        {
+            std::fill_n(block.across, nscd::blockLanes, 0.1);
+            std::fill_n(block.along, nscd::blockLanes, 0.05);
+            std::fill_n(block.shareA, nscd::blockLanes, 0.5);
+            std::fill_n(block.shareB, nscd::blockLanes, 0.5);
+        }
     }
 
     std::size_t loaded() const
@@ -166,6 +182,26 @@ TEST(PackedContacts, areSolvedAsTheWholeIs)
             ASSERT_NEAR((Vec3(whole.bodies[i].v) - Vec3(packed.bodies[i].v)).norm(), 0.0, 1e-7) << i;
         }
     }
+}
+
+TEST(PackedContacts, takeMomentsAlong)
+{
+    Grid grid(true);
+    grid.roll();
+    nscd::ContactProblem problem = grid.problem();
+    for (int k = 0; k < 3; ++k) nscd::sweepActive(problem);
+    const std::vector<nscd::MomentBlock> before = grid.moments;
+    const nscd::DefectSums whole = nscd::residual(problem);
+    nscd::PackedContacts packing;
+    nscd::ContactProblem packed = packing.pack(problem, 0.008);
+    EXPECT_NEAR(nscd::residual(packed).sumSquares, whole.sumSquares, 1e-12*whole.sumSquares);
+    packing.giveBack(problem);
+    EXPECT_EQ(std::memcmp(grid.moments.data(), before.data(), before.size()*sizeof(nscd::MomentBlock)), 0);
+
+    packing.note(100);
+    problem.packing = &packing;
+    EXPECT_TRUE(nscd::solveNlgs(problem, exact()).converged);
+    EXPECT_LE(nscd::rms(nscd::residual(problem)), 1.0001e-10);
 }
 
 TEST(PackedContacts, takeInWhatComesToClose)

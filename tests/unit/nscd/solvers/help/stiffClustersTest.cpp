@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Light spheres that stick between heavy ones and the floor, solved with their contacts at once.
-#include "unit/nscd/scenes/scenes.hpp"
+#include "unit/nscd/scenes/lawScenes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,9 +28,10 @@ Scene wedgedBall()
     return scene;
 }
 
-int sweepsOfSteps(bool areClustersOn, int& atCap)
+int sweepsOfSteps(bool areClustersOn, int& atCap, const nscd::ContactPair& pair = {0.5, 0.0})
 {
-    const Scene scene = wedgedBall();
+    Scene scene = wedgedBall();
+    setAll(scene, pair);
     nscd::ContactSettings settings;
     settings.strategy.direct.isOn = false;
     settings.strategy.held.isOn = false;
@@ -54,6 +55,16 @@ TEST(StiffClusters, takeTheLoadOfAHeavyBodyAtOnce)
 {
     int atCap = 0, atCapWithout = 0;
     const int sweeps = sweepsOfSteps(true, atCap), without = sweepsOfSteps(false, atCapWithout);
+    EXPECT_EQ(atCap, 0);
+    EXPECT_GT(atCapWithout, 0);
+    EXPECT_LT(5*sweeps, without);
+}
+
+TEST(StiffClusters, takeMomentsAlong)
+{
+    int atCap = 0, atCapWithout = 0;
+    const nscd::ContactPair rolling = rollingPair(0.5, 0.05, 0.02);
+    const int sweeps = sweepsOfSteps(true, atCap, rolling), without = sweepsOfSteps(false, atCapWithout, rolling);
     EXPECT_EQ(atCap, 0);
     EXPECT_GT(atCapWithout, 0);
     EXPECT_LT(5*sweeps, without);
