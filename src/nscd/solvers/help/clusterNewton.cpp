@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Dense Newton steps on a cluster of contacts.
+// Tested by tests/unit/nscd/solvers/help/clusterSolveTest.cpp
 #include "nscd/solvers/help/clusterSolve.hpp"
 
 #include <Eigen/LU>
