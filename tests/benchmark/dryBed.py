@@ -9,15 +9,15 @@ from coreRun import rows, tableOf
 from results import pyplot, savePicture
 
 SCENES = {"landing": (), "jet": ("nx=26", "ny=5", "nz=40", "spacing=1.04", "jet=1", "steps=450", "every=25")}
-PARTS = ("findPairs", "buildContacts", "solveContacts", "moveGrains")
 
 
 def main():
     table = tableOf("dryBed", (({"scene": name}, rows("dryBed", *options, *sys.argv[1:])) for name, options in SCENES.items()))
+    parts = [name for name in table.columns if name.endswith("Ms")]
     figure, rowsOfAxes = pyplot.subplots(2, len(SCENES), figsize=(10, 6), sharex="col")
     for (cost, sweeps), name in zip(zip(*rowsOfAxes), SCENES):
         steps, grains = table.column("step", scene=name), table.column("grains", scene=name)[0]
-        cost.stackplot(steps, [[1e3*ms/grains for ms in table.column(part + "Ms", scene=name)] for part in PARTS], labels=PARTS)
+        cost.stackplot(steps, [[1e3*ms/grains for ms in table.column(part, scene=name)] for part in parts], labels=parts)
         cost.set_title("%s, %d grains" % (name, grains))
         cost.set_ylabel("us a step and grain")
         sweeps.plot(steps, table.column("sweeps", scene=name))

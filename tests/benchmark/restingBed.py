@@ -9,7 +9,6 @@ from coreRun import bed, rows, tableOf
 from results import pyplot, savePicture
 
 BED = (29, 30)
-PARTS = ("findPairs", "buildContacts", "solveContacts", "moveGrains")
 
 
 def main():
@@ -18,8 +17,8 @@ def main():
     figure, axes = pyplot.subplots(figsize=(7, 4))
     names = ["%s, %d" % (what, k % 3 + 1) for k, what in enumerate(table.column("what"))]
     below = [0.0]*len(names)
-    for part in PARTS:
-        height = table.column(part + "Ms")
+    for part in [name for name in table.columns if name.endswith("Ms")]:
+        height = table.column(part)
         axes.bar(names, height, bottom=below, label=part)
         below = [a + b for a, b in zip(below, height)]
     axes.set_ylabel("ms a step, %d grains" % table.column("grains")[0])

@@ -130,20 +130,16 @@ void RunLog::step(const StepRow& row, std::int64_t number, bool isWritten)
 void RunLog::timing(const char* name, double seconds) const
 {
     const double total = elapsed();
-    os_ << formatted("  %-14s %12.3f %8.1f %% %12.4f\n", name, seconds, 100*seconds/total, steps_ > 0 ? 1e3*seconds/steps_ : 0.0);
+    os_ << formatted("  %-16s %12.3f %8.1f %% %12.4f\n", name, seconds, 100*seconds/total, steps_ > 0 ? 1e3*seconds/steps_ : 0.0);
 }
 
 void RunLog::finish(const nscd::StepTimes& times, double output)
 {
     const double total = elapsed();
-    const double known = times.findPairs + times.buildContacts + times.solveContacts + times.moveGrains + output;
-    os_ << "\nTiming\n" << formatted("  %-14s %12s %10s %12s\n", "part", "seconds", "share", "ms/step");
-    timing("findPairs", times.findPairs);
-    timing("buildContacts", times.buildContacts);
-    timing("solveContacts", times.solveContacts);
-    timing("moveGrains", times.moveGrains);
+    os_ << "\nTiming\n" << formatted("  %-16s %12s %10s %12s\n", "part", "seconds", "share", "ms/step");
+    for (std::size_t part = 0; part < nscd::grainPartNames.size(); ++part) timing(nscd::grainPartNames[part], times.parts()[part]);
     timing("output", output);
-    timing("other", std::max(0.0, total - known));
+    timing("other", std::max(0.0, total - times.total() - output));
     timing("sum", total);
     os_ << "\nSummary\n"
         << formatted("  steps                  %ld\n", steps_)

@@ -137,7 +137,7 @@ void CoupledRun::write()
     wallOutput_->writePictures(time_, dynamics_->walls());
 }
 
-void CoupledRun::finish() const { log_.finish(timing_); }
+void CoupledRun::finish() const { log_.finish(timing_, dynamics_->times()); }
 
 } // namespace nscdCoupling
 } // namespace Foam

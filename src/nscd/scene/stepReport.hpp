@@ -102,13 +102,4 @@ inline StepReport worstOf(const StepReport& before, const StepReport& next, int 
     return worst;
 }
 
-/// Seconds spent so far in each part.
-struct StepTimes
-{
-    double findPairs = 0.0;
-    double buildContacts = 0.0;
-    double solveContacts = 0.0;
-    double moveGrains = 0.0;
-};
-
 } // namespace nscd

@@ -5,7 +5,6 @@
 #include "nscd/step/grainDynamicsParts.hpp"
 
 #include "nscd/base/invalidValue.hpp"
-#include "nscd/base/stopwatch.hpp"
 #include "nscd/contacts/contactGeometry.hpp"
 #include "nscd/step/generalCorrection.hpp"
 #include "nscd/step/overlapCorrection.hpp"
@@ -70,7 +69,7 @@ void GrainDynamics::Implementation::makeWallSearch()
 
 void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity, bool isStraight)
 {
-    const Stopwatch watch(times.findPairs);
+    const auto timer = times.time(GrainPart::findPairs);
     shockImpulses.clear();
     const bool areSomeAsleep = sleep.any();
     // Within a step laws act by the impulses at its start, whatever a solve has made of them since.
@@ -119,7 +118,7 @@ bool GrainDynamics::Implementation::areWallsDriving(double speedScale) const
 
 void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
 {
-    const Stopwatch watch(times.buildContacts);
+    const auto timer = times.time(GrainPart::buildContacts);
     setFreeVelocities(list, grains, external, deltaT, sleep);
     if (!list.general.empty()) setFreeGeneral(list, grains, external, deltaT);
     keepVelocities(list, freeVelocity);
@@ -142,6 +141,7 @@ ContactProblem GrainDynamics::Implementation::makeProblem(double speedScale)
     problem.general = list.general.empty() ? nullptr : &list.general;
     problem.packing = &packing;
     problem.freeVelocity = &freeVelocity;
+    problem.times = &times;
     return problem;
 }
 
@@ -157,7 +157,7 @@ ContactProblem GrainDynamics::Implementation::prepareProblem(const ExternalForce
 /// A solve of the step's problem, timed, with its account of energy.
 SolveReport GrainDynamics::Implementation::solveBy(ContactSolver solver, ContactProblem& problem, const ExternalForces& external)
 {
-    const Stopwatch watch(times.solveContacts);
+    const auto timer = times.time(GrainPart::solveContacts);
     SolveReport report = solveWhereAwake(problem, settings, solver);
     if (!report.converged) report.createdEnergy = createdEnergy(external, report);
     return report;
@@ -190,14 +190,22 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
     return report;
 }
 
+/// Geometry where grains are now.
+OverlapStatistics GrainDynamics::Implementation::placeContacts()
+{
+    const auto timer = times.time(GrainPart::updateGeometry);
+    updateGeometry(list, scene());
+    return measureOverlap(list);
+}
+
 void GrainDynamics::Implementation::correctPositions(StepReport& report)
 {
-    updateGeometry(list, scene());
-    OverlapStatistics overlap = measureOverlap(list);
+    OverlapStatistics overlap = placeContacts();
     report.overlapUncorrected = std::max(overlap.deepest, 0.0)/diameter;
     const double tolerance = settings.overlapTolerance*diameter;
     if (overlap.deepest > tolerance)
     {
+        const auto timer = times.time(GrainPart::correctOverlaps);
         report.correctionSweeps = list.general.empty()
             ? correctOverlaps(list, scene(), overlap.deepest, tolerance, deadBand())
             : correctGeneralOverlaps(list, grains, scene(), overlap.deepest, tolerance, deadBand());
@@ -230,7 +238,7 @@ void GrainDynamics::Implementation::beginAwakeStep(bool haveWallsJumped)
 {
     if (isListStale) measureGrains();
     if (isListStale || !coversStep()) rebuildList(grains.velocity, true);
-    else if (haveWallsJumped) updateGeometry(list, scene());
+    else if (haveWallsJumped) placeContacts();
     if (isStepBegun) return;
     isStepBegun = true;
     list.laws.beginStep(list);
@@ -241,6 +249,7 @@ void GrainDynamics::beginStep(double deltaT)
 {
     if (!(deltaT > 0.0) || !std::isfinite(deltaT)) throw invalidValue("time step", deltaT, "a finite value > 0 s");
     Implementation& self = *self_;
+    const auto timer = self.times.time(GrainPart::moveGrains);
     const bool haveJumped = self.movingWalls.beginStep(deltaT);
     if (deltaT != self.deltaT || haveJumped || self.movingWalls.isAnyMoving()) self.wakeAll();
     self.deltaT = deltaT;
@@ -251,6 +260,7 @@ bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->who
 
 Prediction GrainDynamics::predict(const ExternalForces& external)
 {
+    const auto timer = self_->times.time(GrainPart::moveGrains);
     self_->checkReady(external);
     self_->wakeAll();
     if (!self_->isStepBegun) self_->beginAwakeStep(false);
@@ -285,9 +295,10 @@ Prediction GrainDynamics::tryForces(const ExternalForces& external)
 StepReport GrainDynamics::advance(const ExternalForces& external)
 {
     Implementation& self = *self_;
+    const auto timer = self.times.time(GrainPart::moveGrains);
     self.checkReady(external);
     self.shockImpulses.clear();
-    if (self.sleep.any()) self.wake(self.sleep.disturbedBy(self.grains, external, self.deltaT));
+    self.wakeDisturbed(external);
     if (self.isEverybodyAsleep())
     {
         self.movingWalls.endStep();
@@ -300,7 +311,6 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     self.isListNew = false;
     report.candidates = static_cast<std::size_t>(self.list.halo.sum(static_cast<double>(self.wholeList().candidates)));
 
-    const Stopwatch watch(self.times.moveGrains);
     giveToGrains(self.forcesOnBodies(), self.list.grainOf, self.forces);
     report.maxDisplacement = self.moveBodies(report)/self.diameter;
     if (self.materials.anyRestitution()) self.rebound(external, report.solve);

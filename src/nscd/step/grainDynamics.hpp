@@ -5,6 +5,7 @@
 #pragma once
 
 #include "nscd/base/periodicBox.hpp"
+#include "nscd/base/stepTimes.hpp"
 #include "nscd/scene/contactSettings.hpp"
 #include "nscd/scene/exchange.hpp"
 #include "nscd/scene/externalForces.hpp"

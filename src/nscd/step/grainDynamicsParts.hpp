@@ -5,6 +5,7 @@
 // Tested by tests/unit/nscd/step/grainDynamicsTest.cpp
 #pragma once
 
+#include "nscd/base/stepTimes.hpp"
 #include "nscd/contacts/contactList.hpp"
 #include "nscd/contacts/movingWalls.hpp"
 #include "nscd/contacts/storedImpulses.hpp"
@@ -116,6 +117,7 @@ struct GrainDynamics::Implementation
     void holdWholeList();
     void cutAwakePart();
     void wake(const std::vector<int>& sleepers);
+    void wakeDisturbed(const ExternalForces& external);
     void wakeWithinSolve(const std::vector<int>& sleepers);
     void wakeAll();
     void giveUpSleep();
@@ -125,6 +127,7 @@ struct GrainDynamics::Implementation
     StepReport restingReport() const;
     void rebound(const ExternalForces& external, SolveReport& report);
     void limitWork(const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report);
+    OverlapStatistics placeContacts();
     void correctPositions(StepReport& report);
 };
 

@@ -15,6 +15,7 @@ namespace nscd
 
 void GrainDynamics::Implementation::rebound(const ExternalForces& external, SolveReport& report)
 {
+    const auto timer = times.time(GrainPart::rebound);
     Shock inelastic;
     inelastic.impulses = shockImpulses.release();
     inelastic.bodies = list.bodies;
@@ -27,6 +28,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
 
     ContactProblem problem = makeProblem(external.speedScale);
+    problem.times = nullptr;   // all of it is the rebound
     gatherImpulses(list.blocks, {nullptr, list.blocks.size()}, inelastic.impulses);
     inelastic.ofLaws.clear();
     for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) inelastic.ofLaws.push_back(list.laws.impulses(slot));

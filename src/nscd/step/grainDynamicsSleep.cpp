@@ -38,6 +38,13 @@ void GrainDynamics::Implementation::wake(const std::vector<int>& sleepers)
     cutAwakePart();
 }
 
+void GrainDynamics::Implementation::wakeDisturbed(const ExternalForces& external)
+{
+    if (!sleep.any()) return;
+    const auto timer = times.time(GrainPart::sleep);
+    wake(sleep.disturbedBy(grains, external, deltaT));
+}
+
 /// The next solve starts from what the last one found.
 void GrainDynamics::Implementation::wakeWithinSolve(const std::vector<int>& sleepers)
 {
@@ -53,6 +60,7 @@ SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& ex
     constexpr int withoutRings = 5;
     for (int round = 0; sleep.any(); ++round)
     {
+        const auto timer = times.time(GrainPart::sleep);
         const std::vector<int> disturbed = sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT);
         if (disturbed.empty()) break;
         wakeWithinSolve(awakePart.sleepersAround(disturbed, std::max(0, round - withoutRings), sleep, deadBand()));
@@ -69,6 +77,7 @@ void GrainDynamics::Implementation::wakeAll()
 
 void GrainDynamics::Implementation::letSleep(const ExternalForces& external, StepReport& report)
 {
+    const auto timer = times.time(GrainPart::sleep);
     if (sleep.any())
     {
         awakePart.giveBack(list, forcesOnBodies());

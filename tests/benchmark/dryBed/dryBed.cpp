@@ -3,6 +3,7 @@
 //
 // What a step of a bed of spheres costs, as CSV: a lattice that lands and rests, or that a jet keeps in motion.
 // dryBed [nx=17] [ny=17] [nz=17] [spacing=1.15] [deltaT=1e-3] [steps=500] [every=50] [jet=0] [maxSweeps=1000] [accelerate=1]
+#include "benchmark/partColumns.hpp"
 #include "unit/nscd/scenes/scenes.hpp"
 
 #include <chrono>
@@ -79,12 +80,9 @@ struct Row
 
 void print(const Row& row, int step, const nscd::GrainDynamics& dynamics, const nscd::StepReport& last, const nscd::StepTimes& from)
 {
-    const nscd::StepTimes& now = dynamics.times();
-    const double milli = 1e3/row.steps;
-    std::printf("%d,%zu,%zu,%zu,%.1f,%d,%d,%d,%.2e,%.2e,%.3e,%.3f,%.3f,%.3f,%.3f\n", step, dynamics.grains().size(), last.solve.contacts,
+    std::printf("%d,%zu,%zu,%zu,%.1f,%d,%d,%d,%.2e,%.2e,%.3e,%s\n", step, dynamics.grains().size(), last.solve.contacts,
         last.candidates, row.sweeps/row.steps, row.capped, row.corrected, row.rebuilt, row.overlapMax, row.overlapMean,
-        nscd::kineticEnergy(dynamics.grains()), milli*(now.findPairs - from.findPairs), milli*(now.buildContacts - from.buildContacts),
-        milli*(now.solveContacts - from.solveContacts), milli*(now.moveGrains - from.moveGrains));
+        nscd::kineticEnergy(dynamics.grains()), partColumns(dynamics.times().since(from), row.steps).c_str());
     std::fflush(stdout);
 }
 
@@ -114,8 +112,8 @@ int main(int argc, char** argv)
     const double deltaT = o.at("deltaT"), width = o.at("spacing")*diameter*o.at("nx");
     const int every = int(o.at("every"));
 
-    std::printf("step,grains,contacts,candidates,sweeps,capped,corrected,rebuilt,overlapMax,overlapMean,kineticEnergy,"
-                "findPairsMs,buildContactsMs,solveContactsMs,moveGrainsMs\n");
+    std::printf("step,grains,contacts,candidates,sweeps,capped,corrected,rebuilt,overlapMax,overlapMean,kineticEnergy,%s\n",
+                partHead().c_str());
     Row row;
     nscd::StepTimes from;
     for (int k = 1; k <= int(o.at("steps")); ++k)

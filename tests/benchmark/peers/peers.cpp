@@ -8,6 +8,7 @@
 // peers table STATE FILE                                   grains of a state: x y z, velocity, spin
 // peers figures SCENE BED FILE                             overlaps, mass center and run-out of grains in a table
 // peers frozen BED FILE [option=value ...]                 cold solves of a frozen contact problem; FILE.bodies, FILE.contacts: the last one
+#include "benchmark/partColumns.hpp"
 #include "benchmark/peers/columnScene.hpp"
 #include "benchmark/peers/frozenProblem.hpp"
 #include "unit/nscd/scenes/heaps.hpp"
@@ -111,19 +112,17 @@ struct Interval
 void printHead()
 {
     std::printf("time,steps,secondsPerSecond,msPerStep,sweeps,contacts,capped,overlapMaxReported,overlapMeanReported,asleep,overlapMax,overlapMean,"
-                "centerX,centerZ,runOut99,runOut90,kineticEnergy,findPairsMs,buildContactsMs,solveContactsMs,moveGrainsMs,listsInStep,correctionSweeps\n");
+                "centerX,centerZ,runOut99,runOut90,kineticEnergy,%s,listsInStep,correctionSweeps\n", partHead().c_str());
 }
 
 void print(const Interval& interval, const Run& run, double deltaT)
 {
     const ColumnFigures now = columnFigures(run.scene, run.dynamics.grains());
-    const double n = interval.steps, milli = 1e3/n;
-    std::printf("%.9g,%d,%.4f,%.4f,%.2f,%.0f,%d,%.3e,%.3e,%zu,%.3e,%.3e,%.8g,%.8g,%.8g,%.8g,%.4e,%.3f,%.3f,%.3f,%.3f,%d,%.1f\n", run.time, interval.steps, interval.seconds/(n*deltaT),
+    const double n = interval.steps;
+    std::printf("%.9g,%d,%.4f,%.4f,%.2f,%.0f,%d,%.3e,%.3e,%zu,%.3e,%.3e,%.8g,%.8g,%.8g,%.8g,%.4e,%s,%d,%.1f\n", run.time, interval.steps, interval.seconds/(n*deltaT),
                 1e3*interval.seconds/n, interval.sweeps/n, interval.contacts/n, interval.capped, interval.overlapMax, interval.overlapMean,
                 interval.asleep, now.overlapMax, now.overlapMean, now.massCenter[0], now.massCenter[2], now.runOut99, now.runOut90,
-                nscd::kineticEnergy(run.dynamics.grains()), milli*(interval.to.findPairs - interval.from.findPairs),
-                milli*(interval.to.buildContacts - interval.from.buildContacts), milli*(interval.to.solveContacts - interval.from.solveContacts),
-                milli*(interval.to.moveGrains - interval.from.moveGrains), interval.lists, interval.corrections/n);
+                nscd::kineticEnergy(run.dynamics.grains()), partColumns(interval.to.since(interval.from), n).c_str(), interval.lists, interval.corrections/n);
     std::fflush(stdout);
 }
 

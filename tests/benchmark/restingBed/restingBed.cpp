@@ -5,6 +5,7 @@
 // restingBed bed.dat [tilesX=1] [tilesY=1] [tolerance=1e-3] [steps=100] [warmUp=1000] [calm=600] [vectorPath=auto] [sleep=yes]: bed.dat as
 // `rankedBed settle` wrote it. One tile comes to rest in `warmUp` damped steps; tilesX*tilesY copies of it, impulses and all, then lie side by side for
 // `calm` damped steps more: their contacts are found anew.
+#include "benchmark/partColumns.hpp"
 #include "benchmark/rankedBed/tiledBed.hpp"
 #include "unit/nscd/scenes/heaps.hpp"
 
@@ -117,11 +118,9 @@ void measure(const char* name, nscd::GrainDynamics& dynamics, int steps)
         means.add(dynamics.advance(forces));
     }
     const double milli = 1e3/steps, total = milli*(now() - start);
-    const nscd::StepTimes& to = dynamics.times();
     const double grains = static_cast<double>(dynamics.grains().size());
-    std::printf("%s,%.0f,%zu,%zu,%.2f,%.0f,%d,%.3f,%.1f,%.3f,%.3f,%.3f,%.3f,%.1e,%zu\n", name, grains, means.last.solve.contacts, means.last.candidates,
-                means.sweeps/steps, means.rebuilt, means.last.solve.converged, total, 1e6*total/grains, milli*(to.findPairs - from.findPairs),
-                milli*(to.buildContacts - from.buildContacts), milli*(to.solveContacts - from.solveContacts), milli*(to.moveGrains - from.moveGrains),
+    std::printf("%s,%.0f,%zu,%zu,%.2f,%.0f,%d,%.3f,%.1f,%s,%.1e,%zu\n", name, grains, means.last.solve.contacts, means.last.candidates,
+                means.sweeps/steps, means.rebuilt, means.last.solve.converged, total, 1e6*total/grains, partColumns(dynamics.times().since(from), steps).c_str(),
                 nscd::kineticEnergy(dynamics.grains()), means.last.asleep);
     std::fflush(stdout);
 }
@@ -139,8 +138,7 @@ int main(int argc, char** argv)
     nscd::ContactSettings settings;
     settings.tolerance = std::stod(o.at("tolerance"));
     settings.vectorPath = o.at("vectorPath");
-    std::printf("what,grains,contacts,candidates,sweeps,listsBuilt,converged,msPerStep,nsPerGrain,findPairsMs,buildContactsMs,solveContactsMs,"
-                "moveGrainsMs,kineticEnergy,asleep\n");
+    std::printf("what,grains,contacts,candidates,sweeps,listsBuilt,converged,msPerStep,nsPerGrain,%s,kineticEnergy,asleep\n", partHead().c_str());
     TiledBed bed(argv[1], std::stoi(o.at("tilesX")), std::stoi(o.at("tilesY")));
     settings.sleep = false;
     const Impulses impulses = tiled(settle(bed, settings, std::stoi(o.at("warmUp"))), bed);

@@ -3,6 +3,7 @@
 //
 // What leaving out saves, as CSV: each row a scene with a choice that the library makes by itself, or without. Milliseconds of the processor.
 // skips still BED | planar [PERSIDE] | smooth [PERSIDE] | cloud [PERSIDE] | kernels [PERSIDE] | rest BED [STEPS]
+#include "benchmark/partColumns.hpp"
 #include "benchmark/rankedBed/tiledBed.hpp"
 #include "unit/nscd/scenes/heaps.hpp"
 
@@ -23,7 +24,7 @@ namespace
 /// The clock is that of the processor; the library's own times are of the wall, and show shares only.
 double now() { return static_cast<double>(std::clock())/CLOCKS_PER_SEC; }
 
-void printHead() { std::printf("scene,variant,grains,contacts,steps,sweepsPerStep,listsBuilt,msPerStep,searchShare,buildShare,solveShare,moveShare,creep,kineticEnergy\n"); }
+void printHead() { std::printf("scene,variant,grains,contacts,steps,sweepsPerStep,listsBuilt,msPerStep,%s,creep,kineticEnergy\n", partHead().c_str()); }
 
 double largestMove(const nscd::Grains& a, const nscd::Grains& b)
 {
@@ -50,11 +51,8 @@ void measure(const char* scene, const char* variant, nscd::GrainDynamics& dynami
         built += report.listRebuilt;
     }
     const double seconds = now() - start;
-    const nscd::StepTimes& to = dynamics.times();
-    const double parts[4] = {to.findPairs - from.findPairs, to.buildContacts - from.buildContacts, to.solveContacts - from.solveContacts, to.moveGrains - from.moveGrains};
-    const double all = std::max(1e-30, parts[0] + parts[1] + parts[2] + parts[3]);
-    std::printf("%s,%s,%zu,%zu,%d,%.2f,%d,%.4f,%.3f,%.3f,%.3f,%.3f,%.2e,%.2e\n", scene, variant, before.size(), report.solve.contacts,
-                steps, sweeps/steps, built, 1e3*seconds/steps, parts[0]/all, parts[1]/all, parts[2]/all, parts[3]/all,
+    std::printf("%s,%s,%zu,%zu,%d,%.2f,%d,%.4f,%s,%.2e,%.2e\n", scene, variant, before.size(), report.solve.contacts,
+                steps, sweeps/steps, built, 1e3*seconds/steps, partColumns(dynamics.times().since(from), steps).c_str(),
                 largestMove(before, dynamics.grains()), nscd::kineticEnergy(dynamics.grains()));
     std::fflush(stdout);
 }

@@ -134,6 +134,9 @@ TEST(TimingTable, addsUpWhatEachPartTook)
     EXPECT_STREQ(stepPartNames[int(StepPart::solveFluid)], "solveFluid");
     { const auto timer = timing.time(StepPart::sampleFluid); }
     EXPECT_GT(timing.seconds(StepPart::sampleFluid), 0);
+    OStringStream os;
+    timing.print(os, 10, ::nscd::StepTimes());
+    for (const char* part : ::nscd::grainPartNames) EXPECT_NE(os.str().find(part), std::string::npos) << part;
 }
 
 TEST(ProgressLog, saysOnceWhatIsDoneWithoutBeingAskedFor)
@@ -191,7 +194,7 @@ TEST(ProgressLog, countsWarningsInItsSummary)
         row.report.overlapUncorrected = 0.01*k;
         log.step(row, FluidSummary());
     }
-    log.finish(TimingTable());
+    log.finish(TimingTable(), ::nscd::StepTimes());
     EXPECT_TRUE(holds(os.str(),
     {
         "grains outside the mesh 3 steps, first at 0.5 s, worst 0.5 of the grains' volume",

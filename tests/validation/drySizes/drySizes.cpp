@@ -53,9 +53,9 @@ void settle(const char* name, const Scene& scene, int steps)
     int builds = 0, capped = 0, hidden = 0;
     for (int k = 0; k < steps; ++k)
     {
-        const double searchBefore = dynamics.times().findPairs;
+        const double searchBefore = dynamics.times().seconds(nscd::GrainPart::findPairs);
         const nscd::StepReport report = step(dynamics, scene.g, deltaT);
-        builds += dynamics.times().findPairs > searchBefore;
+        builds += dynamics.times().seconds(nscd::GrainPart::findPairs) > searchBefore;
         overlap = std::max(overlap, report.overlapMax*diameter/small);
         capped += !report.solve.converged;
         hidden += report.solve.hiddenMassRatio > 0.0;
@@ -66,7 +66,7 @@ void settle(const char* name, const Scene& scene, int steps)
     const double perGrain = 1e9/scene.grains.size();
     std::printf("%s: %zu grains, %d steps, %d list builds; search %.0f ns a grain and build, all %.0f ns a grain and step, %.1f candidates a grain, "
                 "%.1f sweeps a step, %d steps at the cap, %d with a warning of hidden forces\n", name, scene.grains.size(), steps, builds,
-        t.findPairs*perGrain/builds, (t.findPairs + t.buildContacts + t.solveContacts + t.moveGrains)*perGrain/steps, candidates, sweeps/steps, capped, hidden);
+        t.seconds(nscd::GrainPart::findPairs)*perGrain/builds, t.total()*perGrain/steps, candidates, sweeps/steps, capped, hidden);
     require("overlap, radii of the small ones", overlap, 0.01);
 }
 

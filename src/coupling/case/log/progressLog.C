@@ -163,10 +163,10 @@ void ProgressLog::step(const StepRow& row, const FluidSummary& fluid)
 }
 
 
-void ProgressLog::finish(const TimingTable& timing) const
+void ProgressLog::finish(const TimingTable& timing, const ::nscd::StepTimes& grains) const
 {
     os_ << "Timing" << nl;
-    timing.print(os_, steps_);
+    timing.print(os_, steps_, grains);
     os_ << nl << "Summary" << nl
         << formatted("  worst overlap          %.3g d, before its correction %.3g d", worstOverlap_, worstUncorrectedOverlap_).c_str() << nl
         << formatted("  worst force error      %.3g", worstForceError_).c_str() << nl

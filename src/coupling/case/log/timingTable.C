@@ -41,18 +41,21 @@ double TimingTable::total() const
 }
 
 
-void TimingTable::print(Ostream& os, label steps) const
+void TimingTable::print(Ostream& os, label steps, const ::nscd::StepTimes& grains) const
 {
     const double sum = total();
     const auto row = [&](const char* name, double seconds)
     {
         const double share = sum > 0 ? 100*seconds/sum : 0;
         const double perStep = steps > 0 ? 1e3*seconds/steps : 0;
-        os << formatted("  %-14s %12.3f %8.1f %% %12.4f", name, seconds, share, perStep).c_str() << nl;
+        os << formatted("  %-16s %12.3f %8.1f %% %12.4f", name, seconds, share, perStep).c_str() << nl;
     };
-    os << formatted("  %-14s %12s %10s %12s", "part", "seconds", "share", "ms/step").c_str() << nl;
+    os << formatted("  %-16s %12s %10s %12s", "part", "seconds", "share", "ms/step").c_str() << nl;
     for (int part = 0; part < nStepParts; ++part) row(stepPartNames[part], seconds_[part]);
     row("sum", sum);
+    os << "  of these, grains in linearizeDrag and advanceGrains" << nl;
+    for (std::size_t part = 0; part < ::nscd::grainPartNames.size(); ++part) row(::nscd::grainPartNames[part], grains.parts()[part]);
+    row("sum of grains", grains.total());
 }
 
 } // namespace nscdCoupling

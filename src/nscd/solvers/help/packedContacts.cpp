@@ -90,6 +90,7 @@ void PackedContacts::append(const std::vector<std::uint32_t>& slots, int staticB
 
 ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
 {
+    const StepTimes::Timer timer(whole.times, GrainPart::packContacts);
     home_ = &whole.blocks;
     homeMoments_ = whole.moments;
     blocks_.clear();
@@ -119,6 +120,7 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
     packed.moments = whole.moments ? &moments_ : nullptr;
     packed.leftOut = this;
     packed.freeVelocity = whole.freeVelocity;
+    packed.times = whole.times;
     return packed;
 }
 
@@ -148,6 +150,7 @@ DefectSums PackedContacts::defects(const ContactProblem& packed) const
 
 void PackedContacts::giveBack(ContactProblem& whole) const
 {
+    const StepTimes::Timer timer(whole.times, GrainPart::packContacts);
     std::vector<char> isAwake(whole.blocks.size(), 0);
     for (std::uint32_t k : whole.awake) isAwake[k] = 1;
     for (std::size_t place = 0; place < slotOf_.size(); ++place)

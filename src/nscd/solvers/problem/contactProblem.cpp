@@ -73,6 +73,7 @@ DefectSums sweepBlocks(ContactProblem& problem, BlockRange range, const SweepOn&
 
 double netImpulse(const ContactProblem& problem)
 {
+    const StepTimes::Timer timer(problem.times, GrainPart::judgeContacts);
     double sum = 0.0;
     for (std::size_t k = 0; k < problem.freeVelocity->size(); ++k)
     {
@@ -137,6 +138,7 @@ void replaceImpulses(ContactProblem& problem, std::vector<double>& target)
 
 DefectSums residualOfActive(ContactProblem& problem)
 {
+    const StepTimes::Timer timer(problem.times, GrainPart::judgeContacts);
     if (problem.general) return residual(problem);
     problem.halo.giveVelocities(problem.bodies);
     const DefectSums here = evaluateBlocks(problem, problem.active());
@@ -145,6 +147,7 @@ DefectSums residualOfActive(ContactProblem& problem)
 
 DefectSums residual(ContactProblem& problem)
 {
+    const StepTimes::Timer timer(problem.times, GrainPart::judgeContacts);
     problem.halo.giveVelocities(problem.bodies);
     DefectSums here = evaluateBlocks(problem, problem.all());
     if (problem.general) add(here, evaluateGeneral(problem.bodies.data(), problem.blocks, *problem.general));
@@ -157,6 +160,7 @@ DefectSums residual(ContactProblem& problem)
 
 bool wakeBlocks(ContactProblem& problem)
 {
+    const StepTimes::Timer timer(problem.times, GrainPart::judgeContacts);
     if (problem.leftOut) return problem.leftOut->wake(problem);
     const std::size_t before = problem.awake.size();
     std::vector<std::uint32_t> asleep;

@@ -4,6 +4,7 @@
 // The frictional contact problem of one step: passes over its contacts, and the residual that every solver is judged by.
 #pragma once
 
+#include "nscd/base/stepTimes.hpp"
 #include "nscd/contacts/general/generalBodies.hpp"
 #include "nscd/kernels/contactBlock.hpp"
 #include "nscd/kernels/halo.hpp"
@@ -66,6 +67,8 @@ struct ContactProblem
     PackedContacts* packing = nullptr;
     /// In a packed problem what holds the contacts that are not in it; null: all are.
     ContactsLeftOut* leftOut = nullptr;
+    /// Where looks at residuals are timed; null: within what is timed around them.
+    StepTimes* times = nullptr;
 
     /// Whether a wall goes along or into grains faster than the speed scale: what slides on it may have no forces that are right (a plug between a belt
     /// and a plate that presses on it), also where most grains rest.
