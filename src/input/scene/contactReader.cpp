@@ -58,8 +58,7 @@ bool readSleep(const CheckedEntries& given, const Surroundings& around, Scene& s
 {
     const bool isOn = given.flag("sleep", around.sleepsByDefault);
     if (isOn && scene.hasClumps()) scene.notes.push_back("grains at rest stay awake: clumps do not sleep");
-    else if (isOn && around.nRanks > 1) scene.notes.push_back("grains at rest stay awake: on several ranks they do not sleep");
-    return isOn && !scene.hasClumps() && around.nRanks == 1;
+    return isOn && !scene.hasClumps();
 }
 
 } // namespace

@@ -33,8 +33,14 @@ Candidates findCandidates
 /// Packs candidates into blocks, near ones into blocks of their own, so that blocks of far ones can be left out of sweeps.
 Batches batchNearAndFar(const ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter);
 
+/// Slots of candidates, in their order.
+struct CandidateSlots
+{
+    std::vector<std::uint32_t> inner;
+    std::vector<std::uint32_t> interface;
+};
+
 /// Makes the blocks of a list that has its bodies, and the bodies at walls. Candidates of one body with walls stand in a row.
-/// Returns the slots of the inner candidates.
-Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candidates, double diameter);
+CandidateSlots packCandidates(ContactList& list, const Scene& scene, Candidates& candidates, double diameter);
 
 } // namespace nscd

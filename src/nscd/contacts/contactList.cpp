@@ -196,7 +196,7 @@ void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Can
 
 } // namespace
 
-Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candidates, double diameter)
+CandidateSlots packCandidates(ContactList& list, const Scene& scene, Candidates& candidates, double diameter)
 {
     addWallBodies(list, scene, candidates);
 
@@ -213,7 +213,7 @@ Batches packCandidates(ContactList& list, const Scene& scene, Candidates& candid
     {
         if (list.wall[slot] >= 0) list.slotsOfWalls.push_back(static_cast<std::uint32_t>(slot));
     }
-    return inner;
+    return {std::move(inner.slotOf), std::move(interface.slotOf)};
 }
 
 ContactList buildContactList

@@ -141,6 +141,26 @@ void Halo::takeSmallest(std::vector<double>& perBody) const
     for (std::size_t k = 0; k < shared_.size(); ++k) take(shared_[k], toOthers_[k]);
 }
 
+void Halo::giveFlags(std::vector<std::uint8_t>& perBody) const
+{
+    if (!exchange_) return;
+    toOthers_.resize(shared_.size());
+    fromOthers_.resize(ghosts_);
+    for (std::size_t k = 0; k < shared_.size(); ++k) toOthers_[k] = perBody[shared_[k]];
+    exchange_->toGhosts(toOthers_, fromOthers_, 1);
+    for (std::size_t g = 0; g < ghosts_; ++g) perBody[ownBodies_ + g] = fromOthers_[g] != 0.0;
+    for (std::size_t c = 0; c < copied_.size(); ++c) perBody[firstCopy() + c] = perBody[copied_[c]];
+}
+
+void Halo::takeFlags(std::vector<std::uint8_t>& perBody) const
+{
+    if (!exchange_) return;
+    std::vector<double> negative(perBody.size());
+    std::transform(perBody.begin(), perBody.end(), negative.begin(), [](std::uint8_t flag) { return -double(flag); });
+    takeSmallest(negative);
+    std::transform(negative.begin(), negative.end(), perBody.begin(), [](double value) { return value < 0.0; });
+}
+
 double Halo::sum(double value) const
 {
     sum(&value, 1);

@@ -7,6 +7,7 @@
 #include "nscd/kernels/contactBlock.hpp"
 #include "nscd/scene/exchange.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace nscd
@@ -51,6 +52,10 @@ public:
 
     /// Makes owners' entries the smallest of theirs and of those of their ghosts and copies.
     void takeSmallest(std::vector<double>& perBody) const;
+
+    /// Overwrites ghosts' and copies' flags with their owners'; sets owners' flags where one of theirs is set.
+    void giveFlags(std::vector<std::uint8_t>& perBody) const;
+    void takeFlags(std::vector<std::uint8_t>& perBody) const;
 
     double sum(double value) const;
     double max(double value) const;

@@ -90,62 +90,91 @@ int AwakePart::otherBody(std::size_t slot, int body) const
     return a == body ? block.b[slot % blockLanes] : a;
 }
 
-/// Also notes the bodies of the part. Body by body, walls first, so that the slots of a body with walls stand together.
-std::vector<std::uint32_t> AwakePart::slotsOfAwake(const GrainSleep& sleep)
+void AwakePart::findAwake(const GrainSleep& sleep)
 {
-    const auto isAwake = [&](int body) { return body < whole_.owned() && !sleep.isAsleep(whole_.grainOf[body]); };
+    isAwake_.assign(whole_.bodies.size(), 0);
+    for (int body = 0; body < whole_.owned(); ++body) isAwake_[body] = !sleep.isAsleep(whole_.grainOf[body]);
+    const bool isAnyAwake = std::find(isAwake_.begin(), isAwake_.end(), 1) != isAwake_.end();
+    whole_.halo.giveFlags(isAwake_);
+    isEmpty_ = !whole_.halo.any(isAnyAwake);
+}
+
+/// Also notes the bodies of the part. Body by body, walls first, so that the slots of a body with walls stand together.
+std::vector<std::uint32_t> AwakePart::slotsOfAwake()
+{
     bodies_.clear();
     std::vector<std::uint32_t> found;
     for (int body = 0; body < whole_.owned(); ++body)
     {
-        if (!isAwake(body)) continue;
+        if (!isAwake_[body]) continue;
         bodies_.push_back(body);
         for (const bool isWall : {true, false})
         for (std::uint32_t k = slotStart_[body]; k < slotStart_[body + 1]; ++k)
         {
-            if ((whole_.wall[slots_[k]] >= 0) != isWall) continue;
+            if ((whole_.wall[slots_[k]] >= 0) != isWall || isInterface(slots_[k])) continue;
             const int other = otherBody(slots_[k], body);
-            if (isAwake(other) && other < body) continue;  // found there
+            if (!isWall && isAwake_[other] && other < body) continue;  // found there
             found.push_back(slots_[k]);
             if (!isWall) bodies_.push_back(other);
         }
     }
-    isEmpty_ = bodies_.empty();
     std::sort(bodies_.begin(), bodies_.end());
     bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
     return found;
 }
 
-void AwakePart::addBodies(ContactList& part, const Grains& grains, const GrainSleep& sleep) const
+std::vector<std::uint32_t> AwakePart::interfaceSlotsOfAwake() const
+{
+    std::vector<std::uint32_t> found;
+    for (std::size_t slot = whole_.interfaceBlock*blockLanes; slot < whole_.slots(); ++slot)
+    {
+        const ContactBlock& block = whole_.blocks[slot/blockLanes];
+        const bool isAnyAwake = isAwake_[block.a[slot % blockLanes]] || isAwake_[block.b[slot % blockLanes]];
+        if (whole_.isUsed(slot) && isAnyAwake) found.push_back(static_cast<std::uint32_t>(slot));
+    }
+    return found;
+}
+
+void AwakePart::addBodies(ContactList& part) const
 {
     for (int body : bodies_)
     {
-        const int i = whole_.grainOf[body];
-        part.grainOf.push_back(i);
+        part.position.push_back(whole_.position[body]);
+        part.radius.push_back(whole_.radius[body]);
+        part.inverseMass.push_back(isAwake_[body] ? whole_.inverseMass[body] : 0.0);
+        part.id.push_back(whole_.id[body]);
+        if (body >= whole_.owned()) continue;
+        part.grainOf.push_back(whole_.grainOf[body]);
         part.positionAtBuild.push_back(whole_.positionAtBuild[body]);
         part.reach.push_back(whole_.reach[body]);
         part.slack.push_back(whole_.slack[body]);
         if (!whole_.path.empty()) part.path.push_back(whole_.path[body]);
-        part.position.push_back(whole_.position[body]);
-        part.radius.push_back(grains.radius[i]);
-        part.inverseMass.push_back(sleep.isAsleep(i) ? 0.0 : whole_.inverseMass[body]);
-        part.id.push_back(grains.id[i]);
     }
 }
 
-void AwakePart::packSlots(ContactList& part, const Scene& scene, const std::vector<std::uint32_t>& slots, double diameter)
+void AwakePart::packSlots(ContactList& part, const Scene& scene, double diameter)
 {
+    const std::vector<std::uint32_t> inner = slotsOfAwake(), interface = interfaceSlotsOfAwake();
+    if (whole_.halo.isParallel())
+    {
+        bodies_.resize(whole_.firstWallBody());
+        std::iota(bodies_.begin(), bodies_.end(), 0);
+    }
+    addBodies(part);
     const auto inPart = [&](int body) { return static_cast<int>(std::lower_bound(bodies_.begin(), bodies_.end(), body) - bodies_.begin()); };
-    Candidates candidates;
-    for (std::uint32_t slot : slots)
+    const auto candidate = [&](std::uint32_t slot)
     {
         const ContactBlock& block = whole_.blocks[slot/blockLanes];
         const int wall = whole_.wall[slot], b = wall >= 0 ? -1 : inPart(block.b[slot % blockLanes]);
-        candidates.inner.push_back({inPart(block.a[slot % blockLanes]), b, wall, whole_.image[slot]});
-    }
-    const Batches batches = packCandidates(part, scene, candidates, diameter);
+        return Candidate{inPart(block.a[slot % blockLanes]), b, wall, whole_.image[slot]};
+    };
+    Candidates candidates;
+    for (std::uint32_t slot : inner) candidates.inner.push_back(candidate(slot));
+    for (std::uint32_t slot : interface) candidates.interface.push_back(candidate(slot));
+    const CandidateSlots slots = packCandidates(part, scene, candidates, diameter);
     slotInWhole_.assign(part.slots(), 0);
-    for (std::size_t k = 0; k < slots.size(); ++k) slotInWhole_[batches.slotOf[k]] = slots[k];
+    for (std::size_t k = 0; k < inner.size(); ++k) slotInWhole_[slots.inner[k]] = inner[k];
+    for (std::size_t k = 0; k < interface.size(); ++k) slotInWhole_[slots.interface[k]] = interface[k];
 }
 
 ContactList AwakePart::cut(ContactForceSum& sumForces, const Scene& scene, const GrainSleep& sleep, double diameter, double deltaT)
@@ -154,23 +183,24 @@ ContactList AwakePart::cut(ContactForceSum& sumForces, const Scene& scene, const
     part.laws = ListLaws(scene.materials);
     part.pathTime = whole_.pathTime;
     part.age = whole_.age;
-    const std::vector<std::uint32_t> slots = slotsOfAwake(sleep);
-    addBodies(part, scene.grains, sleep);
-    packSlots(part, scene, slots, diameter);
+    part.halo = whole_.halo;
+    part.ghosts = whole_.ghosts;
+    findAwake(sleep);
+    packSlots(part, scene, diameter);
     forEachSlot(part, [&](std::size_t slot, std::size_t inWhole) { copySlot(whole_, inWhole, part, slot); });
-    for (int body = 0; body < part.owned(); ++body) part.bodies[body] = whole_.bodies[bodies_[body]];
+    for (std::size_t body = 0; body < bodies_.size(); ++body) part.bodies[body] = whole_.bodies[bodies_[body]];
     findFastPairs(part);
 
     outside_ = {{}, {}, forces_.wall, forces_.wallTorque};
-    for (int body : bodies_)
+    for (int body = 0; body < part.owned(); ++body)
     {
-        outside_.force.push_back(forces_.force[body]);
-        outside_.torque.push_back(forces_.torque[body]);
+        outside_.force.push_back(forces_.force[bodies_[body]]);
+        outside_.torque.push_back(forces_.torque[bodies_[body]]);
     }
     add(outside_, sumForces(part, {nullptr, part.blocks.size()}, scene, deltaT), -1.0);
     for (int body = 0; body < part.owned(); ++body)
     {
-        if (sleep.isAsleep(part.grainOf[body])) continue;
+        if (!isAwake_[bodies_[body]]) continue;
         outside_.force[body].setZero();  // what is left is round-off: all contacts of an awake grain are in the part
         outside_.torque[body].setZero();
     }
@@ -204,12 +234,13 @@ void AwakePart::giveBack(const ContactList& part, const ContactForces& onBodies)
 {
     forEachSlot(part, [&](std::size_t slot, std::size_t inWhole) { copySlot(part, slot, whole_, inWhole); });
     whole_.age = part.age;
-    for (int body = 0; body < part.owned(); ++body)
+    for (std::size_t body = 0; body < bodies_.size(); ++body)
     {
         whole_.position[bodies_[body]] = part.position[body];
         whole_.bodies[bodies_[body]] = part.bodies[body];
     }
-    giveToGrains(onBodies, bodies_, forces_);
+    const std::vector<int> own(bodies_.begin(), bodies_.begin() + part.owned());
+    giveToGrains(onBodies, own, forces_);
 }
 
 const ContactForces& AwakePart::forcesOn(const ContactList& part, BlockRange loaded, ContactForceSum& sumForces, const Scene& scene, double deltaT) const

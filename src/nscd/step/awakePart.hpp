@@ -12,6 +12,8 @@ namespace nscd
 /// Holds the list of all contacts and the forces on all grains as they are between two steps, while a step works on a part: the awake
 /// grains, all their candidates, and the sleeping grains among these, which have no mobility. What a step makes of the part is given back.
 /// Nothing here costs more than the part does, but for holding a list and for finding who is awake.
+/// On several ranks the part has all bodies, in the order of the list of all, so that ghosts and copies keep their places; hold, cut
+/// and forcesOn are collective.
 class AwakePart
 {
 public:
@@ -24,7 +26,7 @@ public:
 
     /// The part for those who are awake now; its impulses are those of the last step.
     ContactList cut(ContactForceSum& sumForces, const Scene& scene, const GrainSleep& sleep, double diameter, double deltaT);
-    /// Whether nobody is awake.
+    /// Whether nobody is awake, on any rank.
     bool isEmpty() const { return isEmpty_; }
     /// The impulse of a slot of the whole.
     struct Impulse
@@ -51,9 +53,12 @@ public:
 private:
     void findSlotsOfBodies();
     int otherBody(std::size_t slot, int body) const;
-    std::vector<std::uint32_t> slotsOfAwake(const GrainSleep& sleep);
-    void addBodies(ContactList& part, const Grains& grains, const GrainSleep& sleep) const;
-    void packSlots(ContactList& part, const Scene& scene, const std::vector<std::uint32_t>& slots, double diameter);
+    void findAwake(const GrainSleep& sleep);
+    bool isInterface(std::size_t slot) const { return slot >= whole_.interfaceBlock*blockLanes; }
+    std::vector<std::uint32_t> slotsOfAwake();
+    std::vector<std::uint32_t> interfaceSlotsOfAwake() const;
+    void addBodies(ContactList& part) const;
+    void packSlots(ContactList& part, const Scene& scene, double diameter);
     template<class Visit> void forEachSlot(const ContactList& part, const Visit& visit) const;
 
     ContactList whole_;
@@ -61,7 +66,8 @@ private:
     std::vector<int> bodyOf_;                        ///< of each grain
     std::vector<std::uint32_t> slotStart_, slots_;   ///< slots of body k: slots_[slotStart_[k] .. slotStart_[k+1])
 
-    std::vector<int> bodies_;                        ///< of the part, in the whole
+    std::vector<std::uint8_t> isAwake_;              ///< of each body, ghosts and copies too
+    std::vector<int> bodies_;                        ///< of the part, in the whole; own ones first
     std::vector<std::uint32_t> slotInWhole_;         ///< of the part's slots in use
     ContactForces outside_;                          ///< of contacts that are not in the part, on its bodies and on walls
     bool isEmpty_ = false;

@@ -251,7 +251,7 @@ void GrainDynamics::beginStep(double deltaT)
     Implementation& self = *self_;
     const auto timer = self.times.time(GrainPart::moveGrains);
     const bool haveJumped = self.movingWalls.beginStep(deltaT);
-    if (deltaT != self.deltaT || haveJumped || self.movingWalls.isAnyMoving()) self.wakeAll();
+    if (deltaT != self.deltaT || haveJumped || self.movingWalls.isAnyMoving() || self.haveDrivenChanged()) self.wakeAll();
     self.deltaT = deltaT;
     if (!self.isEverybodyAsleep()) self.beginAwakeStep(haveJumped);
 }

@@ -64,6 +64,7 @@ struct GrainDynamics::Implementation
     std::vector<Vec3> freeVelocity;   // of the list's own bodies in the present solve [m/s]
     StepReport lastReport;
     bool isStepBegun = false;
+    bool isAnyDrivenAnew = false;    // of the held grains here, since the last step began
     ImpulseRecord beforeStep;     // kept where laws act by it
     ShockImpulses shockImpulses;  // of the last step
     ContactForces forces;
@@ -83,7 +84,7 @@ struct GrainDynamics::Implementation
     ContactList& wholeList() { return sleep.any() ? awakePart.whole() : list; }
     static std::vector<LoadedContact> contactsOf(const ContactList& list);
     bool isEverybodyAsleep() const { return sleep.any() && awakePart.isEmpty(); }
-    bool maySleep() const { return settings.sleep && !exchange->isParallel() && list.general.empty(); }
+    bool maySleep() const { return settings.sleep && list.general.empty(); }
     double deadBand() const { return settings.deadBand*diameter; }
 
     void measureGrains();
@@ -122,6 +123,7 @@ struct GrainDynamics::Implementation
     void wakeDisturbed(const ExternalForces& external);
     void wakeWithinSolve(const std::vector<int>& sleepers);
     void wakeAll();
+    bool haveDrivenChanged();
     void giveUpSleep();
     void letSleep(const ExternalForces& external, StepReport& report);
     void beginAwakeStep(bool haveWallsJumped);

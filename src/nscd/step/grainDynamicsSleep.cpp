@@ -18,7 +18,7 @@ void GrainDynamics::Implementation::holdWholeList()
 
 void GrainDynamics::Implementation::cutAwakePart()
 {
-    sleep.wake(awakePart.sleepersBesideDriven(grains, sleep));
+    sleep.wake(awakePart.sleepersBesideDriven(grains, sleep), awakePart.whole().halo);
     if (sleep.isWorthwhile()) list = awakePart.cut(sumForces, scene(), sleep, diameter, deltaT);
     else giveUpSleep();
 }
@@ -33,8 +33,8 @@ void GrainDynamics::Implementation::giveUpSleep()
 
 void GrainDynamics::Implementation::wake(const std::vector<int>& sleepers)
 {
-    if (sleepers.empty()) return;
-    sleep.wake(sleepers);
+    if (!list.halo.any(!sleepers.empty())) return;
+    sleep.wake(sleepers, list.halo);
     cutAwakePart();
 }
 
@@ -62,11 +62,19 @@ SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& ex
     {
         const auto timer = times.time(GrainPart::sleep);
         const std::vector<int> disturbed = sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT);
-        if (disturbed.empty()) break;
+        if (!list.halo.any(!disturbed.empty())) break;
         wakeWithinSolve(awakePart.sleepersAround(disturbed, std::max(0, round - withoutRings), sleep, deadBand()));
         report = together(report, solveOnce(external));
     }
     return report;
+}
+
+/// Whether held grains of any rank have been driven otherwise since the last step began.
+bool GrainDynamics::Implementation::haveDrivenChanged()
+{
+    const bool haveHere = isAnyDrivenAnew;
+    isAnyDrivenAnew = false;
+    return maySleep() && list.halo.any(haveHere);
 }
 
 void GrainDynamics::Implementation::wakeAll()

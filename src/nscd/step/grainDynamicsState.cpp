@@ -114,7 +114,7 @@ void GrainDynamics::drive(std::size_t grain, const Vec3& velocity, const Vec3& o
     {
         throw invalidValue("velocity of driven grain " + std::to_string(grains.id[grain]), "not finite", "finite components [m/s, rad/s]");
     }
-    if (velocity != grains.velocity[grain] || omega != grains.omega[grain]) self_->wakeAll();
+    if (velocity != grains.velocity[grain] || omega != grains.omega[grain]) self_->isAnyDrivenAnew = true;
     grains.velocity[grain] = velocity;
     grains.omega[grain] = omega;
 }
@@ -136,7 +136,7 @@ std::vector<double> GrainDynamics::loads() const
     return load;
 }
 
-std::size_t GrainDynamics::ghosts() const { return self_->isListStale ? 0 : self_->list.ghosts.size() + self_->list.solvedElsewhere.size(); }
+std::size_t GrainDynamics::ghosts() const { return self_->isListStale ? 0 : self_->wholeList().ghosts.size() + self_->wholeList().solvedElsewhere.size(); }
 
 const std::vector<Vec3>& GrainDynamics::contactForce() const { return self_->forces.force; }
 const std::vector<Vec3>& GrainDynamics::contactTorque() const { return self_->forces.torque; }

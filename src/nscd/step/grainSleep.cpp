@@ -56,31 +56,32 @@ std::vector<int> GrainSleep::disturbedBy(const Grains& grains, const ContactList
 
 std::vector<int> GrainSleep::pressed(const Grains& grains, const ContactList& list, double tolerance) const
 {
-    std::vector<int> pressed;
+    std::vector<std::uint8_t> isPressed(list.bodies.size(), 0);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (!list.isUsed(slot) || list.gap[slot] >= -tolerance) continue;
         const ContactBlock& block = list.blocks[slot/blockLanes];
-        for (int body : {block.a[slot % blockLanes], block.b[slot % blockLanes]})
-        {
-            if (body >= list.owned()) continue;
-            const int i = list.grainOf[body];
-            if (isAsleep(i) && !grains.isFixed[i]) pressed.push_back(i);
-        }
+        isPressed[block.a[slot % blockLanes]] = isPressed[block.b[slot % blockLanes]] = 1;
     }
-    std::sort(pressed.begin(), pressed.end());
-    pressed.erase(std::unique(pressed.begin(), pressed.end()), pressed.end());
+    list.halo.takeFlags(isPressed);
+    std::vector<int> pressed;
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        const int i = list.grainOf[body];
+        if (isPressed[body] && isAsleep(i) && !grains.isFixed[i]) pressed.push_back(i);
+    }
     return pressed;
 }
 
-void GrainSleep::wake(const std::vector<int>& sleepers)
+void GrainSleep::wake(const std::vector<int>& sleepers, const Halo& halo)
 {
     for (int i : sleepers)
     {
         isAsleep_[i] = 0;
         quietSteps_[i] = 0;
     }
-    asleep_ -= sleepers.size();
+    asleepHere_ -= sleepers.size();
+    asleep_ = halo.sum(static_cast<double>(asleepHere_));
 }
 
 /// A grain in a flow may be slow for a while; what presses on it is not steady then.
@@ -108,7 +109,8 @@ std::vector<std::uint8_t> GrainSleep::restlessBodies(const RestingStep& step, co
         if (grains.isFixed[i]) fails[body] = isDriven(grains, i);
         else fails[body] = !isAsleep_[i] && quietSteps_[i] < stepsToSleep;
     }
-    for (std::size_t body = list.owned(); body < list.bodies.size(); ++body) fails[body] = isMoving(list.bodies[body]);
+    list.halo.giveFlags(fails);
+    for (std::size_t body = list.firstWallBody(); body < list.bodies.size(); ++body) fails[body] = isMoving(list.bodies[body]);
 
     std::vector<std::uint8_t> isRestless = fails;
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
@@ -120,6 +122,7 @@ std::vector<std::uint8_t> GrainSleep::restlessBodies(const RestingStep& step, co
         if (fails[a]) isRestless[b] = 1;
         if (fails[b]) isRestless[a] = 1;
     }
+    list.halo.takeFlags(isRestless);
     return isRestless;
 }
 
@@ -151,9 +154,13 @@ bool GrainSleep::fallAsleep(const RestingStep& step, Grains& grains)
         if (grains.isFixed[i]) isAsleep_[i] = !isRestless[body];
         else if (!isRestless[body]) fallers.push_back(i);
     }
-    if (fallers.empty() || static_cast<double>(asleep_ + fallers.size()) < worthwhile*static_cast<double>(n)) return false;
+    double sums[3] = {static_cast<double>(fallers.size()), static_cast<double>(asleepHere_ + fallers.size()), static_cast<double>(n)};
+    step.list.halo.sum(sums, 3);
+    if (sums[0] == 0.0 || sums[1] < worthwhile*sums[2]) return false;
     speedScale_ = step.speedScale;
-    asleep_ += fallers.size();
+    asleepHere_ += fallers.size();
+    asleep_ = sums[1];
+    grains_ = sums[2];
     for (int i : fallers)
     {
         isAsleep_[i] = 1;

@@ -41,20 +41,22 @@ public:
     /// Share of the grains that must be at rest for any to sleep: fewer save less than the next one that wakes costs, as in a flow.
     static constexpr double worthwhile = 0.1;
 
-    bool any() const { return asleep_ > 0; }
-    std::size_t count() const { return asleep_; }
-    bool isWorthwhile() const { return any() && static_cast<double>(asleep_) >= worthwhile*static_cast<double>(isAsleep_.size()); }
-    bool isAsleep(int grain) const { return asleep_ > 0 && isAsleep_[grain] != 0; }
+    /// On all ranks.
+    bool any() const { return asleep_ > 0.0; }
+    std::size_t count() const { return static_cast<std::size_t>(asleep_); }
+    bool isWorthwhile() const { return any() && asleep_ >= worthwhile*grains_; }
+    bool isAsleep(int grain) const { return any() && isAsleep_[grain] != 0; }
 
     /// Sleeping grains on which this step's external forces are others than when they fell asleep.
     std::vector<int> disturbedBy(const Grains& grains, const ExternalForces& external, double deltaT) const;
     /// The same for contact forces, `onBodies` of the list.
     std::vector<int> disturbedBy(const Grains& grains, const ContactList& list, const ContactForces& onBodies, double deltaT) const;
-    /// Sleeping grains that overlap a body of the list by more than `tolerance` [m].
+    /// Sleeping grains that overlap a body of the list by more than `tolerance` [m]. Collective.
     std::vector<int> pressed(const Grains& grains, const ContactList& list, double tolerance) const;
-    void wake(const std::vector<int>& sleepers);
+    /// Collective.
+    void wake(const std::vector<int>& sleepers, const Halo& halo);
 
-    /// After a step: counts quiet steps, and from time to time puts grains to sleep. Returns whether any fell asleep.
+    /// After a step: counts quiet steps, and from time to time puts grains to sleep. Returns whether any fell asleep. Collective.
     bool fallAsleep(const RestingStep& step, Grains& grains);
 
 private:
@@ -66,7 +68,8 @@ private:
     std::vector<int> quietSteps_;
     std::vector<Vec3> force_, torque_;                   // external, as of falling asleep
     std::vector<Vec3> contactForce_, contactTorque_;     // as of falling asleep, and of awake grains as of the last look
-    std::size_t asleep_ = 0;
+    std::size_t asleepHere_ = 0;
+    double asleep_ = 0.0, grains_ = 0.0;                 // on all ranks
     int steps_ = 0;
     double speedScale_ = 0.0;
 };

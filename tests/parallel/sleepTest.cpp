@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Grains that sleep on several ranks: as on one, whatever the cut, with all asleep and with some.
+#include "rankedScene.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace scenes;
+
+namespace
+{
+
+constexpr double deltaT = 1e-3, radius = 0.01;
+constexpr int stepsToSleep = 112;
+constexpr int top = 3, roller = 8;   // identities: of the first pyramid's top, and of a grain that rolls for ever
+
+int ranks()
+{
+    int size = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    return size;
+}
+
+const std::vector<OwnerOf>& cuts()
+{
+    static const std::vector<OwnerOf> all
+    {
+        [](const Vec3& x, std::int64_t) { return x[2] > 1.5*radius ? ranks() - 1 : 0; },
+        [](const Vec3&, std::int64_t id) { return static_cast<int>(id % ranks()); }
+    };
+    return all;
+}
+
+/// Two pyramids of four spheres far from each other; where asked for, a grain that rolls on the floor and meets nobody.
+Scene pyramids(bool withRoller)
+{
+    Scene scene(3, 0.5, 0.0);
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    for (double x : {0.0, 0.2})
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            const double angle = 2*M_PI*k/3, r = 2*radius/std::sqrt(3.0);
+            scene.addGrain(Vec3(x + r*std::cos(angle), r*std::sin(angle), radius), radius);
+        }
+        scene.addGrain(Vec3(x, 0, radius + 2*radius*std::sqrt(2.0/3.0)), radius);
+    }
+    if (!withRoller) return scene;
+    scene.addGrain(Vec3(0, 1, radius), radius);
+    scene.grains.velocity[roller] = Vec3(0.2, 0, 0);
+    scene.grains.omega[roller] = Vec3(0, 0.2/radius, 0);
+    return scene;
+}
+
+nscd::ContactSettings fine(bool sleep = true)
+{
+    nscd::ContactSettings settings;
+    settings.tolerance = 1e-6;
+    settings.sleep = sleep;
+    return settings;
+}
+
+/// Weight, and on one grain a force besides, in units of its weight.
+nscd::ExternalForces pushed(const nscd::GrainDynamics& dynamics, std::int64_t id, const Vec3& part)
+{
+    const nscd::Grains& own = dynamics.grains();
+    nscd::ExternalForces forces = weight(own, Vec3(0, 0, -gravity), deltaT);
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+        if (own.id[i] == id) forces.force[i] += gravity*own.mass[i]*part;
+    }
+    return forces;
+}
+
+nscd::StepReport stepPushed(nscd::GrainDynamics& dynamics, std::int64_t id, const Vec3& part)
+{
+    dynamics.beginStep(deltaT);
+    return dynamics.advance(pushed(dynamics, id, part));
+}
+
+nscd::StepReport run(nscd::GrainDynamics& dynamics, int steps)
+{
+    nscd::StepReport report;
+    for (int k = 0; k < steps; ++k) report = step(dynamics, Vec3(0, 0, -gravity), deltaT);
+    return report;
+}
+
+/// Of a vector that each own grain has, that of one identity.
+Vec3 ofGrain(const nscd::Grains& own, const std::vector<Vec3>& values, std::int64_t id)
+{
+    std::vector<double> here;
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+        if (own.id[i] == id) add(here, values[i]);
+    }
+    const std::vector<double> all = gather(here);
+    return Vec3(all.data());
+}
+
+/// What a test does with pyramids asleep, for each cut, with the roller and without.
+template<class Test>
+void withSleepers(const Test& test)
+{
+    for (const bool withRoller : {false, true})
+    for (std::size_t k = 0; k < cuts().size(); ++k)
+    {
+        SCOPED_TRACE("cut " + std::to_string(k) + (withRoller ? " with a roller" : ""));
+        RankedScene scene(pyramids(withRoller), fine(), cuts()[k]);
+        const nscd::StepReport report = run(scene.dynamics(), stepsToSleep);
+        ASSERT_EQ(report.asleep, 8u);
+        EXPECT_EQ(report.solve.sweeps > 0, withRoller);
+        test(scene, withRoller);
+    }
+}
+
+} // namespace
+
+TEST(SleepOnRanks, allStayWhereTheyAreAndWallsCarryThem)
+{
+    withSleepers([](RankedScene& scene, bool withRoller)
+    {
+        const nscd::Grains before = scene.gatherGrains();
+        EXPECT_EQ(run(scene.dynamics(), 50).asleep, 8u);
+        const nscd::Grains after = scene.gatherGrains();
+        for (int i = 0; i < 8; ++i) EXPECT_EQ(after.position[i], before.position[i]) << i;
+        if (withRoller)
+        {
+            EXPECT_NEAR(after.position[roller][0] - before.position[roller][0], 50*deltaT*0.2, 1e-9);
+        }
+        const double weightOfAll = static_cast<double>(after.size())*after.mass[0]*gravity;
+        EXPECT_NEAR(scene.dynamics().wallForce()[0][2], -weightOfAll, 1e-4*weightOfAll);
+    });
+}
+
+TEST(SleepOnRanks, aForceWakesWhatItDisturbsAlone)
+{
+    withSleepers([](RankedScene& scene, bool)
+    {
+        nscd::GrainDynamics& dynamics = scene.dynamics();
+        const double weightOfOne = scene.gatherGrains().mass[0]*gravity;
+        EXPECT_EQ(stepPushed(dynamics, top, 1e-6*Vec3::UnitX()).asleep, 8u);
+        EXPECT_EQ(stepPushed(dynamics, top, 0.1*Vec3::UnitX()).asleep, 4u);
+        EXPECT_NEAR(ofGrain(dynamics.grains(), dynamics.contactForce(), top)[0], -0.1*weightOfOne, 0.05*weightOfOne);
+        EXPECT_NEAR(ofGrain(dynamics.grains(), dynamics.contactForce(), top + 4)[2], weightOfOne, 1e-3*weightOfOne);
+    });
+}
+
+TEST(SleepOnRanks, whatWakesMovesLikeWhatNeverSlept)
+{
+    withSleepers([](RankedScene& scene, bool withRoller)
+    {
+        nscd::GrainDynamics never = pyramids(withRoller).build(fine(false));
+        run(never, stepsToSleep);
+        for (int k = 0; k < 40; ++k)
+        {
+            const Vec3 push = k < 20 ? Vec3(20, 0, 20) : Vec3(0, 0, -60);   // up, and down again onto the others
+            stepPushed(scene.dynamics(), top, push);
+            stepPushed(never, top, push);
+        }
+        const nscd::Grains now = scene.gatherGrains();
+        for (int i = 0; i < 8; ++i) EXPECT_LT((now.position[i] - never.grains().position[i]).norm(), 1e-3*radius) << i;
+        EXPECT_GT(now.position[top][0], radius);
+    });
+}
+
+TEST(SleepOnRanks, predictionsAndTrials)
+{
+    withSleepers([](RankedScene& scene, bool)
+    {
+        nscd::GrainDynamics& dynamics = scene.dynamics();
+        const nscd::ExternalForces lifting = pushed(dynamics, top, Vec3(0, 0, 2)), still = pushed(dynamics, top, Vec3::Zero());
+        dynamics.beginStep(deltaT);
+        EXPECT_EQ(ofGrain(dynamics.grains(), dynamics.tryForces(lifting).velocity, top), Vec3(0, 0, 0));
+        EXPECT_EQ(ofGrain(dynamics.grains(), dynamics.predict(still).velocity, top), Vec3(0, 0, 0));
+        EXPECT_EQ(dynamics.advance(still).asleep, 8u);
+        dynamics.beginStep(deltaT);
+        EXPECT_NEAR(ofGrain(dynamics.grains(), dynamics.predict(lifting).velocity, top)[2], gravity*deltaT, 1e-8);
+        EXPECT_EQ(dynamics.advance(lifting).asleep, 4u);
+    });
+}
+
+TEST(SleepOnRanks, aHeldGrainThatIsDrivenWakesAll)
+{
+    Scene scene = pyramids(true);
+    scene.addGrain(Vec3(-3*radius, 0, radius), radius);
+    const std::int64_t held = roller + 1;
+    scene.grains.isFixed[held] = 1;
+    for (const OwnerOf& cut : cuts())
+    {
+        RankedScene ranked(scene, fine(), cut);
+        nscd::GrainDynamics& dynamics = ranked.dynamics();
+        EXPECT_EQ(run(dynamics, stepsToSleep).asleep, 8u);
+        const nscd::Grains& own = dynamics.grains();
+        for (std::size_t i = 0; i < own.size(); ++i)
+        {
+            if (own.id[i] == held) dynamics.drive(i, Vec3(0.5, 0, 0), Vec3::Zero());
+        }
+        EXPECT_EQ(run(dynamics, 1).asleep, 0u);
+        run(dynamics, 60);
+        const nscd::Grains now = ranked.gatherGrains();
+        EXPECT_GT(now.position[0][0] + now.position[1][0] + now.position[2][0], 3*0.2*radius);
+    }
+}
+
+TEST(SleepOnRanks, aStopAndItsContinuationDoTheSameToTheBit)
+{
+    withSleepers([](RankedScene& scene, bool withRoller)
+    {
+        run(scene.dynamics(), 5);
+        RankedScene other(pyramids(withRoller), fine(), cuts()[1]);
+        double lastDeltaT = 0.0;
+        const std::vector<nscd::StoredImpulse> impulses = scene.dynamics().checkpoint(lastDeltaT);
+        other.dynamics().setGrains(scene.dynamics().grains());
+        other.dynamics().restore(impulses, lastDeltaT);
+        for (int k = 0; k < stepsToSleep; ++k) ASSERT_EQ(run(scene.dynamics(), 1).asleep, run(other.dynamics(), 1).asleep) << k;
+        EXPECT_EQ(scene.gatherGrains().position, other.gatherGrains().position);
+    });
+}
+
+// Frictionless, so that nothing moves: but what touches a driven grain stays awake, whoever owns the two.
+TEST(SleepOnRanks, whatTouchesADrivenGrainStaysAwake)
+{
+    Scene row(3, 0.0, 0.0);
+    row.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    for (int k = 0; k < 5; ++k) row.addGrain(Vec3(2*radius*k, 0, radius), radius);
+    row.grains.isFixed[0] = 1;
+    row.grains.omega[0] = Vec3(0, 0, 1);
+    for (const OwnerOf& cut : cuts())
+    {
+        RankedScene ranked(row, fine(), cut);
+        EXPECT_EQ(run(ranked.dynamics(), stepsToSleep).asleep, 3u);
+    }
+}
