@@ -28,7 +28,7 @@ inline std::FILE* newTable()
     const char* origin = std::getenv("ACCURACY_ORIGIN");
     std::fprintf(table, "# SPDX-License-Identifier: GPL-3.0-or-later\n# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors\n");
     std::fprintf(table, "# origin: %s\n# larger is worse: error\n", origin ? origin : "not stated");
-    std::fprintf(table, "scene,quantity,reference,ours,error,bar\n");
+    std::fprintf(table, "scene,quantity,reference,error,ours,bar\n");
     return table;
 }
 
@@ -46,7 +46,7 @@ inline void row(const std::string& scene, const std::string& quantity, double re
 {
     static std::FILE* const table = newTable();
     if (!table) return;
-    std::fprintf(table, "\"%s\",\"%s\",%s,%s,%.3g,%s\n", scene.c_str(), quantity.c_str(), text(reference).c_str(), text(ours).c_str(), error, text(bar).c_str());
+    std::fprintf(table, "\"%s\",\"%s\",%s,%.3g,%s,%s\n", scene.c_str(), quantity.c_str(), text(reference).c_str(), error, text(ours).c_str(), text(bar).c_str());
     std::fflush(table);
 }
 

@@ -215,7 +215,7 @@ class FigureTable:
         if self.file:
             self.file.write("# SPDX-License-Identifier: GPL-3.0-or-later\n# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors\n")
             self.file.write("# origin: %s\n# larger is worse: error\n" % os.environ.get("ACCURACY_ORIGIN", "not stated"))
-            self.row("scene", "quantity", "reference", "ours", "error", "bar")
+            self.row("scene", "quantity", "reference", "error", "ours", "bar")
 
     def row(self, *values):
         if self.file:
@@ -250,7 +250,7 @@ class Verdict:
 
     def row(self, what, reference, ours, error, bar):
         scene, _, quantity = what.rpartition(": ")
-        self.table.row(scene, quantity, reference, ours, "%.3g" % error, "%.9g" % bar)
+        self.table.row(scene, quantity, reference, "%.3g" % error, ours, "%.9g" % bar)
 
     def finish(self):
         print("%d of %d within tolerance" % (self.count - self.failed, self.count))
