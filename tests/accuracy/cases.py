@@ -39,7 +39,8 @@ CASES = {
         Case("A15", "silo", "LIGGGHTS"),
         Case("A16", "drum", "LIGGGHTS"),
         Case("A17", "impact on a bed", "LIGGGHTS"),
-        Case("A18", "outlet", "Beverloo's exponent"),
+        Case("A18", "outlet", "Beverloo's exponent",
+             missing="spheres (`build/core/validation/dryOutlet 3d`); discs hardly come through 5 d, and 7, 9 and 12 d alone have 1.60"),
         Case("A19", "sheared layer", "balance of forces"),
     ],
     FLUID: [
