@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
-"""Where and from what figures were measured, in one line: date, commit, processor, compiler, versions of OpenFOAM and of the peers."""
+"""Where and from what figures were measured, in one line: date, commit, processor, its load, compiler, versions of OpenFOAM and of the peers."""
 
 import datetime
 import os
@@ -55,7 +55,9 @@ def peer(name):
 
 
 def origin():
-    return ", ".join([datetime.date.today().isoformat(), commit(), processor(), compiler(), *map(peer, PEERS)])
+    """The load at the start tells whether the cores were free."""
+    load = "load %.1f on %d cores" % (os.getloadavg()[0], os.cpu_count())
+    return ", ".join([datetime.date.today().isoformat(), commit(), processor(), load, compiler(), *map(peer, PEERS)])
 
 
 if __name__ == "__main__":
