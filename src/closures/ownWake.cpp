@@ -47,7 +47,7 @@ double wakeInFraction(double ownFraction)
 
 double wakeInertia(double cellReynolds)
 {
-    return 1/(1 + 0.20*cellReynolds + 0.12*cellReynolds/(cellReynolds + 0.3));
+    return 1/(1 + 0.20*cellReynolds + 0.10*cellReynolds/(cellReynolds + 0.05));
 }
 
 double wakeTime(double viscosity, double density, double length, double slip)

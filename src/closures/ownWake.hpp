@@ -34,7 +34,7 @@ constexpr double wakeTakenAlong = 0.63;
 
 /// Share of that flow which inertia leaves; Re_h = rho v h/mu with h^3 the volume that the force is spread over, v the speed at which the
 /// wake stays behind.
-/// Equation: 1/(1 + 0.20 Re_h + 0.12 Re_h/(Re_h + 0.3)), fitted to falls in cells of 1, 2 and 10 d at Re 1, 10 and 100
+/// Equation: 1/(1 + 0.20 Re_h + 0.10 Re_h/(Re_h + 0.05)), fitted to falls in cells of 1, 2 and 10 d at Re 0.01 to 100
 double wakeInertia(double cellReynolds);
 
 /// Time in which the flow in the cells follows the force [s].

@@ -40,7 +40,8 @@ const Column columns[] =
     {"correctionSweeps", "1", [](const StepRow& r) { return double(r.report.correctionSweeps); }},
     {"forceError", "1", [](const StepRow& r) { return r.report.solve.forceError; }},
     {"overlapUncorrected", "diameters", [](const StepRow& r) { return r.report.overlapUncorrected; }},
-    {"atCap", "1", [](const StepRow& r) { return double(r.report.solve.atCap); }}
+    {"atCap", "1", [](const StepRow& r) { return double(r.report.solve.atCap); }},
+    {"asleep", "1", [](const StepRow& r) { return double(r.report.asleep); }}
 };
 
 template<class Text>

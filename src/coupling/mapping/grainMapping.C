@@ -33,6 +33,11 @@ scalar readLargestSolidFraction(const dictionary& dict)
     return 1 - leastFluid;
 }
 
+bool isSame(const LocatedBall& a, const LocatedBall& b)
+{
+    return a.center == b.center && a.radius == b.radius && a.cell == b.cell;
+}
+
 void addTo(scalar& to, const scalar share, const scalar from)
 {
     to += share*from;
@@ -119,18 +124,22 @@ void GrainMapping::growHalo(const ::nscd::Grains& grains)
     if (largest > layout_->reach)
     {
         layout_.reset(new Layout(mesh_, largest, largestSolidFraction_));
+        balls_.clear();
+        isBuilt_ = false;
     }
 }
 
-void GrainMapping::locate(const ::nscd::Grains& grains, const ::nscd::PeriodicBox& box)
+std::vector<LocatedBall> GrainMapping::locate(const ::nscd::Grains& grains, const ::nscd::PeriodicBox& box)
 {
+    std::vector<LocatedBall> balls(grains.nOwned);
     cells_.resize(grains.nOwned, -1);
-    positions_.resize(grains.nOwned);
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
-        positions_[i] = box.any() ? box.wrap(grains.position[i]) : grains.position[i];
-        cells_[i] = layout_->locator.find(positions_[i], cells_[i]);
+        const Vec3 center = box.any() ? box.wrap(grains.position[i]) : grains.position[i];
+        cells_[i] = layout_->locator.find(center, cells_[i]);
+        balls[i] = {center, grains.radius[i], cells_[i]};
     }
+    return balls;
 }
 
 CellHome GrainMapping::find(const Vec3& position, const label guess) const
@@ -153,13 +162,11 @@ void GrainMapping::listMissing(const ::nscd::Grains& grains)
     }
 }
 
-void GrainMapping::buildRow(const LocatedBall& ball, const scalar volume)
+// Returns the part of the ball that is in cells.
+scalar GrainMapping::buildRow(const LocatedBall& ball)
 {
     const std::size_t first = weights_.shares.size();
-    if (layout_->mesh.isOwn(ball.cell))
-    {
-        report_.lostOutside += volume*(1 - method_.appendShares(layout_->tools, ball, weights_.shares));
-    }
+    const scalar covered = layout_->mesh.isOwn(ball.cell) ? method_.appendShares(layout_->tools, ball, weights_.shares) : 1;
     scalar sum = 0;
     for (std::size_t k = first; k < weights_.shares.size(); ++k)
     {
@@ -170,15 +177,37 @@ void GrainMapping::buildRow(const LocatedBall& ball, const scalar volume)
         weights_.shares[k].share /= sum;
     }
     weights_.endRow();
+    return covered;
 }
 
-void GrainMapping::buildSolidFraction(const ::nscd::Grains& grains)
+// Whether any row has changed.
+bool GrainMapping::updateRows(std::vector<LocatedBall> balls)
+{
+    const auto isUnmoved = [&](std::size_t i) { return i < balls_.size() && isSame(balls[i], balls_[i]); };
+    std::size_t unmoved = 0;
+    for (std::size_t i = 0; i < balls.size(); ++i) unmoved += isUnmoved(i);
+    if (unmoved == balls.size() && balls_.size() == balls.size()) return false;
+
+    const WeightMatrix before = unmoved > 0 ? std::move(weights_) : WeightMatrix();
+    weights_.clear();
+    covered_.resize(balls.size());
+    for (std::size_t i = 0; i < balls.size(); ++i)
+    {
+        if (isUnmoved(i)) weights_.copyRow(before, label(i));
+        else covered_[i] = buildRow(balls[i]);
+    }
+    balls_ = std::move(balls);
+    return true;
+}
+
+void GrainMapping::buildSolidFraction()
 {
     solidFraction_ = scalarField(layout_->mesh.nCells(), Zero);
     for (label i = 0; i < weights_.nRows(); ++i)
     {
-        const scalar volume = grains.volume(i);
+        const scalar volume = volumes_[i];
         report_.grainVolume += volume;
+        report_.lostOutside += volume*(1 - covered_[i]);
         for (label k = weights_.rowStart[i]; k < weights_.rowStart[i + 1]; ++k)
         {
             solidFraction_[weights_.shares[k].cell] += weights_.shares[k].share*volume;
@@ -207,20 +236,17 @@ void GrainMapping::sumReport()
 const MappingReport& GrainMapping::update(const ::nscd::Grains& grains, const ::nscd::PeriodicBox& box)
 {
     checkDimensions(grains);
-    report_ = MappingReport();
     growHalo(grains);
-    locate(grains, box);
-    listMissing(grains);
     box_ = box;
+    const bool isChanged = updateRows(locate(grains, box)) || !isBuilt_;
+    if (layout_->exchange.max(isChanged ? 1 : 0) == 0) return report_;
+    report_ = MappingReport();
+    listMissing(grains);
     volumes_.resize(grains.nOwned);
-    weights_.clear();
-    for (std::size_t i = 0; i < grains.nOwned; ++i)
-    {
-        volumes_[i] = grains.volume(i);
-        buildRow({positions_[i], grains.radius[i], cells_[i]}, volumes_[i]);
-    }
-    buildSolidFraction(grains);
+    for (std::size_t i = 0; i < grains.nOwned; ++i) volumes_[i] = grains.volume(i);
+    buildSolidFraction();
     sumReport();
+    isBuilt_ = true;
     return report_;
 }
 

@@ -57,7 +57,6 @@ void checkLawsOfClumps(const MaterialTable& materials)
 bool readSleep(const CheckedEntries& given, const Surroundings& around, Scene& scene)
 {
     const bool isOn = given.flag("sleep", around.sleepsByDefault);
-    if (isOn && around.hasFluid) given.reject("sleep", "is for runs without a fluid, which moves all grains", "off");
     if (isOn && scene.hasClumps()) scene.notes.push_back("grains at rest stay awake: clumps do not sleep");
     else if (isOn && around.nRanks > 1) scene.notes.push_back("grains at rest stay awake: on several ranks they do not sleep");
     return isOn && !scene.hasClumps() && around.nRanks == 1;

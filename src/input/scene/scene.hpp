@@ -82,7 +82,6 @@ struct Surroundings
     PathOf pathOfGrains = [](const std::string& path) { return path; };
     PathOf pathOfSurface = [](const std::string& path) { return path; };
     int nRanks = 1;
-    bool hasFluid = false;
     bool sleepsByDefault = true;       ///< grains at rest, where `sleep` is not given
     bool hasClumps = true;
 

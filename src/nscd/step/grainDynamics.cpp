@@ -258,40 +258,6 @@ void GrainDynamics::beginStep(double deltaT)
 
 bool GrainDynamics::hasContacts() const { return self_->list.halo.any(self_->wholeList().candidates > 0); }
 
-Prediction GrainDynamics::predict(const ExternalForces& external)
-{
-    const auto timer = self_->times.time(GrainPart::moveGrains);
-    self_->checkReady(external);
-    self_->wakeAll();
-    if (!self_->isStepBegun) self_->beginAwakeStep(false);
-    Prediction prediction;
-    prediction.solve = self_->solveVelocities(external);
-    prediction.velocity.resize(self_->grains.size());
-    for (int body = 0; body < self_->list.owned(); ++body)
-    {
-        prediction.velocity[self_->list.grainOf[body]] = Vec3(self_->list.bodies[body].v);
-    }
-    ContactForces predicted = self_->forces;
-    giveToGrains(self_->forcesOnBodies(), self_->list.grainOf, predicted);
-    prediction.contactForce = std::move(predicted.force);
-    return prediction;
-}
-
-Prediction GrainDynamics::tryForces(const ExternalForces& external)
-{
-    self_->wakeAll();
-    ImpulseRecord impulses = collectImpulses(self_->list);
-    Prediction prediction = predict(external);
-    for (std::size_t slot = 0; slot < self_->list.slots(); ++slot)
-    {
-        if (!self_->list.isUsed(slot)) continue;
-        setImpulse(self_->list, slot, Vec3::Zero());
-        self_->list.laws.setImpulses(slot, noLawImpulses());
-    }
-    assignImpulses(self_->list, std::move(impulses), *self_->exchange);
-    return prediction;
-}
-
 StepReport GrainDynamics::advance(const ExternalForces& external)
 {
     Implementation& self = *self_;

@@ -101,6 +101,8 @@ struct GrainDynamics::Implementation
     void fitStepsPerList();
     void chooseKernelsOfStep();
     SolveReport solveVelocities(const ExternalForces& external);
+    Prediction predicted(SolveReport solve);
+    Prediction predictedRest() const;
     double measureMotion(double speedScale) const;
     bool areWallsDriving(double speedScale) const;
     void prepareSolve(const ExternalForces& external);

@@ -221,12 +221,17 @@ TEST(GrainProperties, keywordsMayReplaceThoseIncluded)
     EXPECT_TRUE(holds(complaint([&] { readGrainProperties(box.time(), surroundingsIn(box.mesh())); }), {"keyword maxInitialOverlap is given twice"}));
 }
 
-TEST(GrainProperties, sleepIsForRunsWithoutAFluid)
+TEST(GrainProperties, grainsSleepWhereItIsAskedFor)
 {
     EXPECT_FALSE(read(first).contact.sleep);
     EXPECT_FALSE(read(first + "fluid none;").contact.sleep);
     EXPECT_TRUE(read(first + "fluid none; solver { sleep on; }").contact.sleep);
-    EXPECT_TRUE(holds(complaintAbout(first + "solver { sleep on; }"), {"solver.sleep", "without a fluid"}));
+    EXPECT_TRUE(read(first + "solver { sleep on; }").contact.sleep);
+    const GrainProperties cycled = read(first + "solver { sleep on; } timeStep { subCycles 2; }");
+    EXPECT_FALSE(cycled.contact.sleep);
+    ASSERT_EQ(cycled.notes.size(), 1u);
+    EXPECT_TRUE(holds(cycled.notes[0], {"stay awake", "subCycles"}));
+    EXPECT_TRUE(read(first + "fluid none; solver { sleep on; } timeStep { subCycles 2; }").contact.sleep);
 }
 
 TEST(GrainProperties, latticeSpacingFillsTheBox)

@@ -162,6 +162,53 @@ TEST(grainMapping, voidFractionIsOneLessTheVolumeSpread)
     EXPECT_GT(min(fluidFraction).value(), 0.4 - 1e-9);
 }
 
+void expectSame(const GrainMapping& found, const GrainMapping& expected)
+{
+    EXPECT_EQ(found.weights().rowStart, expected.weights().rowStart);
+    ASSERT_EQ(found.weights().shares.size(), expected.weights().shares.size());
+    for (std::size_t k = 0; k < found.weights().shares.size(); ++k)
+    {
+        EXPECT_EQ(found.weights().shares[k].cell, expected.weights().shares[k].cell);
+        EXPECT_EQ(found.weights().shares[k].share, expected.weights().shares[k].share);
+    }
+    EXPECT_EQ(found.cells(), expected.cells());
+    EXPECT_EQ(found.volumes(), expected.volumes());
+    EXPECT_EQ(found.report().grainVolume, expected.report().grainVolume);
+    EXPECT_EQ(found.report().lostOutside, expected.report().lostOutside);
+    EXPECT_EQ(found.report().volumeDeposited, expected.report().volumeDeposited);
+    EXPECT_EQ(found.report().outsideMesh, expected.report().outsideMesh);
+}
+
+// Rows of grains that have not moved are kept, whatever the others do, or come and go.
+TEST(grainMapping, anUpdateIsAsAMappingMadeAnew)
+{
+    BoxMesh box(shakenPartlyCyclic());
+    const fvMesh& mesh = box.mesh();
+    GrainMapping kept(mesh, mappingDict("exact", 1, 0.4));
+    ::nscd::Grains grains = makeGrains(randomPoints(40, Vec3(0.1, 0.1, 0.1), Vec3(3.9, 3.9, 3.9)), 0.35);
+    const auto expectAsAnew = [&](const char* change)
+    {
+        SCOPED_TRACE(change);
+        kept.update(grains, {});
+        GrainMapping anew(mesh, mappingDict("exact", 1, 0.4));
+        anew.update(grains, {});
+        expectSame(kept, anew);
+    };
+    expectAsAnew("first");
+    expectAsAnew("nothing");
+    grains.position[7] += Vec3(0.1, 0.2, 0);
+    expectAsAnew("one moved");
+    grains.radius[11] = 0.3;
+    expectAsAnew("one shrank");
+    grains.position[3] = Vec3(1, 1, 50);
+    expectAsAnew("one left the mesh");
+    grains.forEachArray([](auto& values) { values.erase(values.begin() + 3); });
+    grains.nOwned = grains.size();
+    expectAsAnew("one removed");
+    grains.add(Vec3(2, 2, 2), 0.2, 2500, 0, 1000);
+    expectAsAnew("one added");
+}
+
 TEST(mappingRedistribution, doesNothingBelowTheLimit)
 {
     BoxMesh box(unitCells(labelVector(4, 4, 4)));

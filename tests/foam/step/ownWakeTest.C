@@ -56,7 +56,7 @@ struct Wakes
         const Vec3 onGrain = fluidForce[i] + suspension.density*volume*suspension.gravity;
         const scalar h = std::cbrt(volume/sampled.own.fraction[i]);
         const scalar Re = suspension.density*(sampled.velocity[i] - (1 - closures::wakeTakenAlong)*before - suspension.grains.velocity[i]).norm()*h/sampled.viscosity[i];
-        return -flow*onGrain/sampled.viscosity[i]/(1 + 0.20*Re + 0.12*Re/(Re + 0.3));
+        return -flow*onGrain/sampled.viscosity[i]/(1 + 0.20*Re + 0.10*Re/(Re + 0.05));
     }
 };
 

@@ -124,6 +124,14 @@ void readCoupling(const CheckedEntries& top, const input::Surroundings& around, 
     properties.time = readTimeSettings(top);
 }
 
+/// Steps of another length than the last one wake all: nothing sleeps where they are the rule.
+void keepAwake(GrainProperties& properties, const std::string& reason)
+{
+    if (!properties.contact.sleep) return;
+    properties.contact.sleep = false;
+    properties.notes.push_back("grains at rest stay awake: " + reason);
+}
+
 GrainProperties readAll(const dictionary& dict, input::Surroundings around)
 {
     const input::Dictionary entries = fromFoam(dict);
@@ -132,7 +140,6 @@ GrainProperties readAll(const dictionary& dict, input::Surroundings around)
     top.found("variables");
     GrainProperties properties;
     properties.solvesFluid = top.choice("fluid", {"solved", "none"}, "solved") == "solved";
-    around.hasFluid = properties.solvesFluid;
     input::readScene(top, around, properties);
     readPatches(top, properties, around.shape.emptyAxis);
     properties.hasWalls = !top.subOrEmpty("walls").entries.empty();
@@ -141,6 +148,7 @@ GrainProperties readAll(const dictionary& dict, input::Surroundings around)
     properties.maxLoadImbalance = readMaxLoadImbalance(top, properties.maxLoadImbalance);
     readCoupling(top, around, properties);
     top.finish();
+    if (properties.solvesFluid && properties.time.subCycles > 1) keepAwake(properties, "with subCycles the predicted step is longer than theirs");
     return properties;
 }
 
@@ -208,7 +216,9 @@ GrainProperties readGrainProperties(const Time& time, const input::Surroundings&
     const IOobject io("grainProperties", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);
     checkText(io);
     const std::unique_ptr<IOdictionary> dict = readWithoutTraps(io);
-    return readGrainProperties(*dict, around);
+    GrainProperties properties = readGrainProperties(*dict, around);
+    if (time.controlDict().getOrDefault<bool>("adjustTimeStep", false)) keepAwake(properties, "adjustTimeStep changes the time step");
+    return properties;
 }
 
 } // namespace nscdCoupling

@@ -57,7 +57,8 @@ const Column columns[] =
     {"volumeMoved", "m3", [](const StepRow& r) { return double(r.volumeMoved); }},
     {"volumeUnresolved", "m3", [](const StepRow& r) { return double(r.volumeUnresolved); }},
     {"volumeError", "1", [](const StepRow& r) { return double(r.volumeError); }},
-    {"atCap", "1", [](const StepRow& r) { return double(r.report.solve.atCap); }}
+    {"atCap", "1", [](const StepRow& r) { return double(r.report.solve.atCap); }},
+    {"asleep", "1", [](const StepRow& r) { return double(r.report.asleep); }}
 };
 
 template<class Part>

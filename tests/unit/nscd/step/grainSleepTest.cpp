@@ -275,3 +275,77 @@ TEST_P(Sleep, aStopAndItsContinuationDoTheSameToTheBit)
     }
     EXPECT_EQ(run(dynamics, 1).asleep, 8u);
 }
+
+namespace
+{
+
+/// The weight, and a push on the top of the first pyramid by this part of its own.
+nscd::ExternalForces pushed(const nscd::Grains& grains, const Vec3& part)
+{
+    nscd::ExternalForces forces = weight(grains, Vec3(0, 0, -gravity), deltaT);
+    forces.force[3] += gravity*grains.mass[3]*part;
+    return forces;
+}
+
+void expectSame(const std::vector<Vec3>& found, const std::vector<Vec3>& expected)
+{
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i], expected[i]) << i;
+}
+
+} // namespace
+
+TEST_P(Sleep, aPredictionLetsThemSleepAndKnowsTheirForces)
+{
+    Sleepers sleepers(GetParam());
+    nscd::GrainDynamics& dynamics = sleepers.dynamics;
+    const nscd::ExternalForces still = pushed(dynamics.grains(), Vec3::Zero());
+    dynamics.beginStep(deltaT);
+    const nscd::Prediction prediction = dynamics.predict(still);
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(prediction.velocity[i], Vec3(0, 0, 0));
+    const nscd::StepReport report = dynamics.advance(still);
+    EXPECT_EQ(report.asleep, 8u);
+    expectSame(prediction.contactForce, dynamics.contactForce());
+    EXPECT_GT(prediction.contactForce[3][2], 0.99*gravity*dynamics.grains().mass[3]);
+}
+
+TEST_P(Sleep, aPredictionUnderANewForceWakesWhatItMoves)
+{
+    Sleepers sleepers(GetParam());
+    nscd::GrainDynamics& dynamics = sleepers.dynamics;
+    const nscd::ExternalForces lifting = pushed(dynamics.grains(), Vec3(0, 0, 2));
+    dynamics.beginStep(deltaT);
+    const nscd::Prediction prediction = dynamics.predict(lifting);
+    EXPECT_NEAR(prediction.velocity[3][2], gravity*deltaT, 1e-9);
+    EXPECT_EQ(dynamics.advance(lifting).asleep, 4u);
+    EXPECT_NEAR(dynamics.grains().velocity[3][2], gravity*deltaT, 1e-9);
+}
+
+// A trial asks how the others move beside those that sleep; the step after it is the one without a trial, to the bit.
+TEST_P(Sleep, aTrialWakesNobodyAndLeavesNoTrace)
+{
+    Sleepers tried(GetParam()), others(GetParam());
+    const nscd::ExternalForces still = pushed(others.dynamics.grains(), Vec3::Zero());
+    tried.dynamics.beginStep(deltaT);
+    const nscd::Prediction trial = tried.dynamics.tryForces(pushed(tried.dynamics.grains(), Vec3(0, 0, 2)));
+    EXPECT_EQ(trial.velocity[3], Vec3(0, 0, 0));
+    EXPECT_EQ(tried.dynamics.advance(still).asleep, 8u);
+    EXPECT_EQ(stepWith(others.dynamics, still).asleep, 8u);
+    expectSame(tried.dynamics.grains().position, others.dynamics.grains().position);
+    expectSame(tried.dynamics.contactForce(), others.dynamics.contactForce());
+}
+
+// One that lies on sleeping grains, and is pushed while it is awake, moves beside held ones in the trial.
+TEST(SleepOf, aTrialMovesWhoIsAwake)
+{
+    Scene scene = pyramids(true);
+    nscd::GrainDynamics dynamics = scene.build(fine());
+    run(dynamics, 200);
+    nscd::ExternalForces forces = pushed(dynamics.grains(), Vec3::Zero());
+    const double rolling = dynamics.grains().velocity[8][0];
+    forces.force[8] += dynamics.grains().mass[8]*gravity*Vec3(0, 1, 0)*0.1;
+    dynamics.beginStep(deltaT);
+    const nscd::Prediction trial = dynamics.tryForces(forces);
+    EXPECT_NEAR(trial.velocity[8][1], 0.1*gravity*deltaT*5/7, 1e-6*gravity*deltaT);
+    EXPECT_NEAR(trial.velocity[8][0], rolling, 1e-9);
+}
