@@ -3,13 +3,12 @@
 """K1: what a run without grains costs over pimpleFoam's, with equal schemes and solvers, on a cavity of 128 x 128 cells."""
 
 import shutil
-import statistics
 
 from pinnedRun import pinned
-from results import BUILD, ROOT, Table, pyplot, savePicture
+from results import BUILD, ROOT, Table, bars
 
 CAVITY = ROOT/"tests/validation/fluidWithoutGrains/cavity"
-PAIRS = 5   # runs of both, in turn
+ROUNDS = 5
 GAMG = "solver GAMG; smoother GaussSeidel;"
 PCG = "solver PCG; preconditioner DIC;"
 
@@ -39,24 +38,18 @@ def cost(folder, program, steps):
     return pinned(program, folder).cpu
 
 
-def main():
-    table = Table("K1", ["pressureSolver", "run", "nscdDEMFoam", "pimpleFoam", "ratio"])
+def measure(table):
     for name, solver in (("GAMG", GAMG), ("PCG", PCG)):
         ours, theirs = prepare(BUILD/"cases/K1", solver, 1)
-        for run in range(PAIRS):
-            mine = cost(ours, "nscdDEMFoam", 101) - cost(ours, "nscdDEMFoam", 1)
-            other = cost(theirs, "pimpleFoam", 101) - cost(theirs, "pimpleFoam", 1)
-            table.add(name, run + 1, mine, other, mine/other)
-        print("%s: median ratio %.3f" % (name, statistics.median(table.column("ratio", pressureSolver=name))))
-    table.save()
-    figure, axes = pyplot.subplots(figsize=(5, 3.5))
-    for name in ("GAMG", "PCG"):
-        axes.plot(table.column("run", pressureSolver=name), table.column("ratio", pressureSolver=name), "o-", label=name)
-    axes.axhline(1.05, color="gray", linestyle=":")
-    axes.set_xlabel("run")
-    axes.set_ylabel("processor time of 100 steps over pimpleFoam's")
-    axes.legend()
-    savePicture(figure, "K1")
+        mine = cost(ours, "nscdDEMFoam", 101) - cost(ours, "nscdDEMFoam", 1)
+        other = cost(theirs, "pimpleFoam", 101) - cost(theirs, "pimpleFoam", 1)
+        table.add(name, mine, other, mine/other)
+
+
+def main():
+    table = Table("K1", ["pressureSolver", "nscdDEMFoam", "pimpleFoam", "ratio"], larger=("nscdDEMFoam", "ratio"))
+    table.inRounds(measure, ROUNDS)
+    bars(table, ["pressureSolver"], "ratio", "processor time of 100 steps over pimpleFoam's")
 
 
 main()

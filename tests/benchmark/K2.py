@@ -30,27 +30,28 @@ def steps(case, extra, count):
     return cost.cpu, Path(case.folder, "log.nscdDEMFoam").read_text()
 
 
-def measure(table, case, name, extra):
+def addSteps(table, case, name, extra):
     startUp, _ = steps(case, extra, 1)
     long, log = steps(case, extra, 1 + STEPS)
     parts = [float(re.search(r"^\s*%s\s+\S+\s+\S+ %%\s+(\S+)\s*$" % part, log, flags=re.M).group(1)) for part in PARTS]
     table.add(name, 1e3*(long - startUp)/STEPS, log.count("Solving for"), *parts)
 
 
-def main():
-    table = Table("K2", ["fluid", "ms", "linearSolves"] + PARTS)
+def measure(table):
     case = settle()
     written = Path(case.folder, case.times()[-1])
-    measure(table, case, "none", "fluid none;")
+    addSteps(table, case, "none", "fluid none;")
     hasFields = (written/"U").exists() or Path(case.folder, "0/U").exists()
     case.fluid(1.2, 1.8e-5)
     for name in ("U", "p_rgh"):
         shutil.copy(Path(case.folder, "0", name), written)
-    measure(table, case, "solved", "")
-    table.save()
-    print("fluid none: %d linear solves, fields of the fluid %s" % (table.rows[0][2], "there" if hasFields else "not even there"))
-    draw(table)
+    addSteps(table, case, "solved", "")
+    print("fluid none: fields of the fluid %s" % ("there" if hasFields else "not even there"))
     case.remove()
+
+
+def main():
+    draw(Table("K2", ["fluid", "ms", "linearSolves"] + PARTS, larger=("ms",)).inRounds(measure))
 
 
 def draw(table):

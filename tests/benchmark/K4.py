@@ -3,7 +3,8 @@
 """K4: a still bed of 10 000 spheres: sweeps a step, lists built, and what is left when it may sleep."""
 
 from coreRun import bed
-from leftOut import bars, measured
+from leftOut import measured
+from results import bars
 
 table = measured("K4", [["skips", "still", bed(20, 25)]])
-bars(table, "K4", ["variant"], "msPerStep", "ms per step (processor)")
+bars(table, ["variant"], "msPerStep", "ms per step (processor)")

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """K5: discs that land, solved in their plane and as if in space."""
 
-from leftOut import bars, measured
+from leftOut import measured
+from results import bars
 
 table = measured("K5", [["skips", "planar"]])
-bars(table, "K5", ["variant"], "msPerStep", "ms per step (processor)")
+bars(table, ["variant"], "msPerStep", "ms per step (processor)")

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """K6: spheres without friction: normal impulses only, and with all directions and spins for a friction that is not felt."""
 
-from leftOut import bars, measured
+from leftOut import measured
+from results import bars
 
 table = measured("K6", [["skips", "smooth"]])
-bars(table, "K6", ["variant"], "msPerStep", "ms per step (processor)")
+bars(table, ["variant"], "msPerStep", "ms per step (processor)")

@@ -58,8 +58,7 @@ def simulate(name, grain, weight, deltaT, steps):
     return report["time"], [math.sqrt(2*e/mass) for e in report["kineticEnergy"]], cost.cpu
 
 
-def main():
-    table = Table("W5", ["grain", "weight", "dtOverTau", "steps", "maxError", "firstStepError", "lastError", "seconds"])
+def measure(table):
     for name, grain in GRAINS.items():
         tau = grain[4]/relativeWeight(grain)
         for weight in ("exponential", "backwardEuler"):
@@ -69,8 +68,11 @@ def main():
                 times, speeds, cpu = simulate(name, grain, weight, ratio*tau, steps)
                 errors = [abs(v - e)/grain[4] for v, e in zip(speeds, exactSpeeds(grain, times))]
                 table.add(name, weight, ratio, steps, max(errors), errors[0], errors[-1], max(cpu - startUp, 0.0))
-    table.save()
-    draw(table)
+
+
+def main():
+    table = Table("W5", ["grain", "weight", "dtOverTau", "steps", "maxError", "firstStepError", "lastError", "seconds"], larger=("maxError", "seconds"))
+    draw(table.inRounds(measure))
 
 
 def draw(table):

@@ -7,6 +7,7 @@ import statistics
 import sys
 
 from coreRun import bed, rows, tableOf
+from results import bars
 
 SHAPES = ((10, 30), (29, 30))   # grains per side, layers: 3 000 and 25 230 grains
 STEPS = 20
@@ -16,7 +17,8 @@ ALL = "all"                     # the variant that leaves nothing out
 def main():
     rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 3
     measured = [row for perSide, layers in SHAPES for row in rows("ablation", bed(perSide, layers), perSide, layers, rounds, STEPS)]
-    tableOf("ablation", [({}, measured)])
+    table = tableOf("ablation", lambda: [({}, measured)], 1)     # the program has the rounds
+    bars(table, ["scene", "grains", "moment", "round", "without"], "msPerStep", "ms per step (processor)")
     print(report(measured))
 
 

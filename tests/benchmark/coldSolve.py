@@ -9,7 +9,7 @@ import math
 import sys
 
 from coreRun import bed, rows, tableOf
-from results import pyplot, savePicture
+from results import bars, pyplot, savePicture
 
 # grains per side, layers; the first three have one shape.
 SHAPES = ((10, 12), (13, 16), (20, 25), (10, 25), (10, 50), (10, 100))
@@ -31,15 +31,18 @@ def main():
 
 
 def bySolver():
-    measured = (({"perSide": perSide, "layers": layers}, rows("coldSolve", "sweeps", bed(perSide, layers), samples, MAX_SWEEPS, solver))
+    def measure():
+        return (({"perSide": perSide, "layers": layers}, rows("coldSolve", "sweeps", bed(perSide, layers), samples, MAX_SWEEPS, solver))
                 for perSide, layers in SHAPES for solver, samples in SOLVERS.items())
-    draw(tableOf("coldSolve", measured))
+    draw(tableOf("coldSolve", measure, 1, larger=("sweeps",)))      # sweeps do not scatter; hours
 
 
 def growth():
-    measured = (({"layers": layers, "tiles": tiles, "seed": seed}, rows("coldSolve", "sweeps", bed(perSide, layers, seed), samples, MAX_SWEEPS, "NLGS", tiles))
+    def measure():
+        return (({"layers": layers, "tiles": tiles, "seed": seed}, rows("coldSolve", "sweeps", bed(perSide, layers, seed), samples, MAX_SWEEPS, "NLGS", tiles))
                 for perSide, layers, tiles, samples in ONE_SHAPE for seed in SEEDS)
-    table = tableOf("coldSolveGrowth", measured)
+    table = tableOf("coldSolveGrowth", measure, 1, larger=("sweeps",))
+    bars(table, ["layers", "tiles", "seed", "tolerance"], "sweeps", "sweeps")
     for tolerance in (1e-2, 1e-3):
         grains, sweeps = (table.column(name, tolerance=tolerance) for name in ("grains", "sweeps"))
         shallow = 2*len(SEEDS)

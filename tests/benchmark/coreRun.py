@@ -6,7 +6,7 @@ import csv
 import subprocess
 
 from pinnedRun import CORE
-from results import ROOT, Table
+from results import ROOT, ROUNDS, Table
 
 PROGRAMS = ROOT/"build/core/benchmark"
 BEDS = ROOT/"build/beds"
@@ -38,13 +38,10 @@ def numberOr(value):
         return value
 
 
-def tableOf(name, measured):
-    """All columns of the rows that were measured; `measured`: pairs of leading columns and rows."""
-    table = None
-    for lead, found in measured:
-        for row in found:
-            row = {**lead, **row}
-            table = table or Table(name, list(row))
-            table.add(*row.values())
-    table.save()
-    return table
+def tableOf(name, measure, rounds=ROUNDS, larger=(), smaller=()):
+    """All columns of the rows that are measured; measure() gives pairs of leading columns and rows, as Table.inRounds has them measured."""
+    def addAll(table):
+        for lead, found in measure():
+            for row in found:
+                table.addNamed({**lead, **row})
+    return Table(name, (), larger, smaller).inRounds(addAll, rounds)

@@ -12,7 +12,7 @@ PARTS = ["sortNs", "searchNs", "batchesNs"]
 def main():
     file = bed(29, 30)
     table = measured("detection", [["detection", "bed", file], ["detection", "bed", file, 6, 6], ["detection", "lattice"], ["detection", "ratio20"],
-                                   ["detection", "ratio100"]])
+                                   ["detection", "ratio100"]], (*PARTS, "buildNs", "wholeNs"))
     figure, axes = pyplot.subplots(figsize=(7, 3.5))
     left = [0.0]*len(table.rows)
     columns = {part: table.column(part) for part in PARTS}

@@ -4,16 +4,15 @@
 
 import argparse
 import csv
-import os
 import shutil
 from pathlib import Path
 
 from foamFiles import firstEntry, readNumbers, setEntry
 from pinnedRun import CORE, Cost, pinned
+from results import BUILD as CASES, ROOT, Table, bars
 
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-BUILD = ROOT/"build/benchmark/dpmfoam"
+BUILD = CASES/"dpmfoam"
 DEFAULT = ROOT/"tutorials/coupled/fluidizedBed/0.4"
 
 
@@ -117,27 +116,33 @@ def windowFigures(rows):
     ]
 
 
+OURS, THEIRS = "nscdDEMFoam, processor s per simulated s", "DPMFoam, processor s per simulated s"
+RATIO = "ratio of processor time"
+
+
+def measure(table, state, options):
+    """One window of each, from the same grains."""
+    ours, rows = timeOurs(state, (options.case or state.parent).resolve(), options.window, options.core)
+    theirs, simulated = timeTheirs(state, options.steps, options.core)
+    window = sum(float(row["deltaT"]) for row in rows)
+
+    table.addNamed(dict([(OURS, ours.cpu/window), (THEIRS, theirs.cpu/simulated), (RATIO, theirs.cpu/simulated/(ours.cpu/window))] + windowFigures(rows) + [
+        ("DPMFoam steps", options.steps), ("DPMFoam simulated time [s]", simulated),
+        ("nscdDEMFoam, clock s per simulated s", ours.wall/window), ("DPMFoam, clock s per simulated s", theirs.wall/simulated),
+        ("ratio of clock time", theirs.wall/simulated/(ours.wall/window)),
+    ]))
+
+
 def main():
     options = arguments()
     state = options.state.resolve()
     if not (state/"lagrangian/grains/position").exists():
         raise SystemExit("%s holds no grains; run tutorials/coupled/fluidizedBed/Allrun first, or name a written time" % state)
-    ours, rows = timeOurs(state, (options.case or state.parent).resolve(), options.window, options.core)
-    theirs, simulated = timeTheirs(state, options.steps, options.core)
-    window = sum(float(row["deltaT"]) for row in rows)
-
-    figures = windowFigures(rows) + [
-        ("DPMFoam steps", options.steps), ("DPMFoam simulated time [s]", simulated),
-        ("nscdDEMFoam, processor s per simulated s", ours.cpu/window), ("DPMFoam, processor s per simulated s", theirs.cpu/simulated),
-        ("ratio of processor time", theirs.cpu/simulated/(ours.cpu/window)),
-        ("nscdDEMFoam, clock s per simulated s", ours.wall/window), ("DPMFoam, clock s per simulated s", theirs.wall/simulated),
-        ("ratio of clock time", theirs.wall/simulated/(ours.wall/window)),
-    ]
-    with open(BUILD/"figures.csv", "w", newline="") as file:
-        csv.writer(file).writerows([("quantity", "value")] + figures)
-    for name, value in figures:
+    table = Table("dpmfoam", larger=(OURS, "largest overlap [d]"), smaller=(RATIO,))
+    table.inRounds(lambda table: measure(table, state, options))
+    for name, value in zip(table.columns, table.rows[0]):
         print("%-42s %.6g" % (name, value))
-    print("figures: %s" % os.path.relpath(BUILD/"figures.csv", ROOT))
+    bars(table, ["grains"], RATIO, "DPMFoam's processor time over ours, by grains")
 
 
 if __name__ == "__main__":

@@ -27,14 +27,12 @@ def spread(ratios):
     return 100*(math.exp(rms) - 1), 100*(math.exp(sum(logs)/len(logs)) - 1)
 
 
-def judge(errors):
-    table = Table("dragLaws", ("law", "packedRms", "packedMean", "settlingRms", "settlingMean"))
+def judge(table, errors):
     for law in dict.fromkeys(row["law"] for row in errors):
         figures = []
         for bed in ("packed", "settling"):
             figures += spread([float(row["ratio"]) for row in errors if (row["law"], row["bed"]) == (law, bed)])
         table.add(law, *(round(figure, 1) for figure in figures))
-    table.save()
 
 
 def draw(curves):
@@ -56,7 +54,8 @@ def draw(curves):
 
 
 def main():
-    judge(rows("errors"))
+    table = Table("dragLaws", ("law", "packedRms", "packedMean", "settlingRms", "settlingMean"), larger=("packedRms", "settlingRms"))
+    table.inRounds(lambda table: judge(table, rows("errors")), 1)   # formulas
     draw(rows("curves"))
 
 

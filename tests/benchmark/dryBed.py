@@ -11,8 +11,13 @@ from results import pyplot, savePicture
 SCENES = {"landing": (), "jet": ("nx=26", "ny=5", "nz=40", "spacing=1.04", "jet=1", "steps=450", "every=25")}
 
 
+def withSum(row):
+    return {**row, "msPerStep": sum(value for name, value in row.items() if name.endswith("Ms"))}
+
+
 def main():
-    table = tableOf("dryBed", (({"scene": name}, rows("dryBed", *options, *sys.argv[1:])) for name, options in SCENES.items()))
+    table = tableOf("dryBed", lambda: (({"scene": name}, map(withSum, rows("dryBed", *options, *sys.argv[1:]))) for name, options in SCENES.items()),
+                    larger=("sweeps", "msPerStep"))
     parts = [name for name in table.columns if name.endswith("Ms")]
     figure, rowsOfAxes = pyplot.subplots(2, len(SCENES), figsize=(10, 6), sharex="col")
     for (cost, sweeps), name in zip(zip(*rowsOfAxes), SCENES):

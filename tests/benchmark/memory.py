@@ -14,15 +14,18 @@ TILES, STEPS = (2, 2), 22
 MPIRUN = ("mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np")
 
 
-def main():
-    largest = int(sys.argv[1]) if len(sys.argv) > 1 else 2
-    table = Table("memory", ["ranks", "what", "mean", "worst"])
+def measure(table, largest):
     for ranks in (n for n in (1, 2, 4, 8) if n <= largest):
         printed = said(ROOT/"build", *MPIRUN, ranks, PROGRAMS/"rankedMemory", "bed", bed(*BED), *TILES, STEPS)
         for row in csv.reader(printed.splitlines()):
             if len(row) == 4 and row[0] == str(ranks):
                 table.add(ranks, row[1], float(row[2]), float(row[3]))
-    table.save()
+
+
+def main():
+    largest = int(sys.argv[1]) if len(sys.argv) > 1 else 2
+    table = Table("memory", ["ranks", "what", "mean", "worst"], larger=("mean", "worst"))
+    table.inRounds(lambda table: measure(table, largest), 1)    # bytes do not scatter
     figure, axes = pyplot.subplots(figsize=(7, 5))
     names = table.column("what", ranks=1)
     for ranks in sorted(set(table.column("ranks"))):

@@ -8,14 +8,12 @@ coupled: steps of tutorials/coupled/fluidizedBed from 0.4 s, which its Allrun mu
 import csv
 import shutil
 import sys
-from pathlib import Path
 
+from coreRun import PROGRAMS, numberOr
 from foamFiles import setEntry
 from rankedRun import said, setParts
+from results import BUILD, ROOT, Table, bars, pyplot, savePicture
 
-ROOT = Path(__file__).resolve().parents[2]
-BUILD = ROOT/"build/benchmark"
-PROGRAMS = ROOT/"build/core/benchmark"
 BED = BUILD/"bed10x50.dat"
 TUTORIAL = ROOT/"tutorials/coupled/fluidizedBed"
 # Ranks that wait give their core to others: there are more of them than cores.
@@ -37,17 +35,11 @@ def rowsOf(path):
         return list(csv.DictReader(file))
 
 
-def appendRows(name, rows, **lead):
-    """Rows of one run, behind those of the runs before; `lead` are columns in front."""
-    path = BUILD/name
-    isNew = not path.exists()
-    with open(path, "a", newline="") as file:
-        writer = csv.writer(file)
-        for row in rows:
-            if isNew:
-                writer.writerow(list(lead) + list(row))
-            isNew = False
-            writer.writerow(list(lead.values()) + list(row.values()))
+def appendRows(table, rows, **lead):
+    """Rows of one run, behind those of the runs before; `lead` are columns in front. What was counted so far is saved."""
+    for row in rows:
+        table.addNamed({**lead, **{name: numberOr(value) for name, value in row.items()}})
+    table.save()
 
 
 def ranked(ranks, command, folder, environment=(), exports=()):
@@ -60,14 +52,26 @@ def dry(largest):
     if not BED.exists():
         said(BUILD, PROGRAMS/"rankedBed", "settle", BED, 10, 50, 600)
     counted = BUILD/"counted.csv"
+    sweeps, messages = Table("runs"), Table("messages", larger=("messages", "bytes"))
     for name, runs in SERIES.items():
         for ranks, arguments in runs.items():
             if ranks > largest:
                 continue
             printed = ranked(ranks, [PROGRAMS/"rankedBed", "run", BED, *arguments], BUILD, {"MESSAGE_COUNT_FILE": str(counted)})
             print(name, printed.splitlines()[-1], flush=True)
-            appendRows("runs.csv", csv.DictReader(printed.splitlines()[-2:]), series=name)
-            appendRows("messages.csv", rowsOf(counted), series=name)
+            appendRows(sweeps, csv.DictReader(printed.splitlines()[-2:]), series=name)
+            appendRows(messages, rowsOf(counted), series=name)
+    bars(sweeps, ["series", "ranks"], "sweepsPerStep", "sweeps a step")
+    draw(messages)
+
+
+def draw(table):
+    figure, axes = pyplot.subplots(figsize=(7, 5))
+    for part in dict.fromkeys(table.column("part")):
+        axes.loglog(table.column("ranks", part=part), table.column("messages", part=part), "o", label=part)
+    axes.set(xlabel="ranks", ylabel="messages of a rank in a call of the part, mean")
+    axes.legend(fontsize=7)
+    savePicture(figure, table.name)
 
 
 def prepare(folder, ranks, solver):
@@ -90,6 +94,7 @@ def prepare(folder, ranks, solver):
 
 def coupled(largest):
     counted, folder = BUILD/"counted.csv", BUILD/"cases/messages"
+    messages = Table("messagesCoupled", larger=("messages", "bytes"))
     for solver in SOLVERS:
         for ranks in CUTS:
             if ranks > largest:
@@ -99,7 +104,8 @@ def coupled(largest):
                          exports=["LD_PRELOAD=%s" % (PROGRAMS/"libmessageCount.so"), "MESSAGE_COUNT_FILE=%s" % counted])
             iterations = [line.split()[1] for line in log.splitlines() if "pressure iterations" in line]
             print(solver, ranks, "ranks, pressure iterations of the steps:", *iterations, flush=True)
-            appendRows("messagesCoupled.csv", rowsOf(counted), pressureSolver=solver)
+            appendRows(messages, rowsOf(counted), pressureSolver=solver)
+    draw(messages)
 
 
 def main():

@@ -13,7 +13,7 @@ BED = (29, 30)
 
 def main():
     tiles = sys.argv[1] if len(sys.argv) > 1 else "1"
-    table = tableOf("restingBed", [({}, rows("restingBed", bed(*BED), "tilesX=" + tiles, "tilesY=" + tiles, *sys.argv[2:]))])
+    table = tableOf("restingBed", lambda: [({}, rows("restingBed", bed(*BED), "tilesX=" + tiles, "tilesY=" + tiles, *sys.argv[2:]))], larger=("sweeps", "msPerStep"))
     figure, axes = pyplot.subplots(figsize=(7, 4))
     names = ["%s, %d" % (what, k % 3 + 1) for k, what in enumerate(table.column("what"))]
     below = [0.0]*len(names)

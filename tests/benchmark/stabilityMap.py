@@ -26,18 +26,16 @@ def isAtRest(row):
 
 
 def measure(table, size):
-    rows = []
     for layers in size["layers"]:
         command = [PROGRAM, layers, size["steps"], ",".join(map(str, size["caps"])), ",".join(TOLERANCES), ",".join(STEPS_OF_TIME)]
         output = subprocess.run(list(map(str, command)), cwd=BEDS, check=True, stdout=subprocess.PIPE, text=True).stdout
         for row in csv.DictReader(output.splitlines()):
             row = {name: float(row[name]) for name in COLUMNS}
-            rows.append(row)
             table.add(*(row[name] for name in COLUMNS), int(isAtRest(row)))
-    return rows
 
 
-def draw(rows, size):
+def draw(table, size):
+    rows = [dict(zip(table.columns, row)) for row in table.rows]
     figure, axes = pyplot.subplots(len(STEPS_OF_TIME), len(TOLERANCES), figsize=(11, 6), sharex=True, sharey=True)
     for i, deltaT in enumerate(map(float, STEPS_OF_TIME)):
         for j, tolerance in enumerate(map(float, TOLERANCES)):
@@ -57,10 +55,8 @@ def draw(rows, size):
 def main():
     size = LONG if "long" in sys.argv[1:] else SHORT
     BEDS.mkdir(parents=True, exist_ok=True)
-    table = Table("stabilityMap", [*COLUMNS, "atRest"])
-    rows = measure(table, size)
-    table.save()
-    draw(rows, size)
+    table = Table("stabilityMap", [*COLUMNS, "atRest"], larger=("energy", "baseError"), smaller=("atRest",))
+    draw(table.inRounds(lambda table: measure(table, size), 1), size)   # no times
 
 
 if __name__ == "__main__":

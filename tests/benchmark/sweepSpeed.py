@@ -14,7 +14,7 @@ BED = (29, 30)
 def main():
     tiles = int(sys.argv[1]) if len(sys.argv) > 1 else 6
     sizes = ((1, 50), (tiles, 1)) if tiles > 1 else ((1, 50),)
-    table = tableOf("sweepSpeed", (({"tiles": n*n}, rows("sweepSpeed", bed(*BED), n, n, sweeps)) for n, sweeps in sizes))
+    table = tableOf("sweepSpeed", lambda: (({"tiles": n*n}, rows("sweepSpeed", bed(*BED), n, n, sweeps)) for n, sweeps in sizes), larger=("nsPerVisit",), smaller=("visitsMperS",))
     figure, axes = pyplot.subplots(figsize=(6, 4))
     for k, (n, _) in enumerate(sizes):
         paths = table.column("path", tiles=n*n)

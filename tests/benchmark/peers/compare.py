@@ -12,7 +12,7 @@ import softRuns     # brings the folder of the benchmarks to the path
 import frozen
 import ourRuns
 from pinnedRun import CORE
-from results import ROOT, Table, pyplot, savePicture
+from results import ROOT, Table, bars, pyplot, savePicture
 from softPeers import PEERS, timeStep
 
 BEDS = ROOT/"build/beds"
@@ -94,6 +94,7 @@ def ourRow(table, scene, setting, moment, row):
 
 
 COLUMNS = ["scene", "program", "kind", "time", "deltaT", "msPerStep", "secondsPerSecond", "overlapMax", "overlapMean"]
+COSTS = ("msPerStep", "secondsPerSecond", "overlapMax")
 
 
 def means(table, scene):
@@ -120,8 +121,13 @@ def printRatios(table, scene):
 
 def collapse(o, peers):
     """Windows of all programs, in turn, at several moments of the same motion."""
-    width = settledBed(o.bed, o.core)[0]
-    table = Table("peersCollapse", COLUMNS)
+    table = Table("peersCollapse", COLUMNS, larger=COSTS)
+    table.inRounds(lambda table: collapseWindows(table, o, peers, settledBed(o.bed, o.core)[0]))
+    printRatios(table, "collapse")
+    draw(table, "peersCollapse")
+
+
+def collapseWindows(table, o, peers, width):
     for moment in o.moments:
         for setting, values in ourRuns.SETTINGS.items():
             if setting != "reference" and ourRuns.fileOf(setting, moment).exists():
@@ -130,36 +136,37 @@ def collapse(o, peers):
         for modulus in MODULI:
             for peer in peers:
                 peerRow(o, table, peer, modulus, "collapse", width, moment)
-    table.save()
-    printRatios(table, "collapse")
-    draw(table, "peersCollapse")
 
 
 def rest(o, peers):
     """The bed at rest: all awake, and what sleep makes of it."""
-    width = settledBed(o.bed, o.core)[0]
-    table = Table("peersRest", COLUMNS)
+    table = Table("peersRest", COLUMNS, larger=COSTS)
+    table.inRounds(lambda table: restWindows(table, o, peers, settledBed(o.bed, o.core)[0]))
+    printRatios(table, "bed")
+    draw(table, "peersRest")
+
+
+def restWindows(table, o, peers, width):
     state = softRuns.FOLDER/"bed.state"
     for kind, more in (("awake", {"sleep": 0, "warmUp": 20}), ("asleep", {"sleep": 1, "warmUp": 1000})):
         ourRow(table, "bed", kind, 0, ourRuns.window("bed", o.bed, state, o.core, ourRuns.REST, steps=REST_STEPS, **more))
     for modulus in MODULI:
         for peer in peers:
             peerRow(o, table, peer, modulus, "bed", width, 0)
-    table.save()
-    printRatios(table, "bed")
-    draw(table, "peersRest")
 
 
 def glass(o, peers):
     """What glass would cost the soft peers: their time step for it, and their cost of a step, over a window too short for anything to move."""
-    table = Table("peersGlass", ["program", "modulus", "deltaT", "msPerStep", "secondsPerSecond"])
     periods = settledBed(o.bed, o.core)
     start = softRuns.FOLDER/"glass.grains"
     ourRuns.call("table", ourRuns.fileOf("default", o.moments[0]), start, core=o.core)
-    for peer in peers:
-        seconds = softRuns.timeFromData(peer, GLASS, "collapse", ourRuns.readTable(start), periods, 300, o.core)
-        table.add(peer, GLASS, timeStep(GLASS), 1e3*seconds, seconds/timeStep(GLASS))
-    table.save()
+
+    def windows(table):
+        for peer in peers:
+            seconds = softRuns.timeFromData(peer, GLASS, "collapse", ourRuns.readTable(start), periods, 300, o.core)
+            table.add(peer, GLASS, timeStep(GLASS), 1e3*seconds, seconds/timeStep(GLASS))
+    table = Table("peersGlass", ["program", "modulus", "deltaT", "msPerStep", "secondsPerSecond"]).inRounds(windows)
+    bars(table, ["program"], "secondsPerSecond", "processor seconds per simulated second")
 
 
 def accuracy(o, peers):
@@ -168,13 +175,16 @@ def accuracy(o, peers):
     if not reference.exists():
         print("no reference run: tests/benchmark/run peers prepare --reference makes it")
         return
-    table = Table("peersAccuracy", ["setting", "until", "centerX", "centerZ", "runOut90", "runOut99"])
-    for setting in ourRuns.SETTINGS:
-        if setting != "reference" and ourRuns.fileOf(setting).exists():
-            found = ourRuns.deviations(ourRuns.rows(ourRuns.fileOf(setting).read_text()), ourRuns.rows(reference.read_text()))
-            if found:
-                table.add(setting, found[1], *(found[0][name] for name in table.columns[2:]))
-    table.save()
+    columns = ["centerX", "centerZ", "runOut90", "runOut99"]
+
+    def deviations(table):
+        for setting in ourRuns.SETTINGS:
+            if setting != "reference" and ourRuns.fileOf(setting).exists():
+                found = ourRuns.deviations(ourRuns.rows(ourRuns.fileOf(setting).read_text()), ourRuns.rows(reference.read_text()))
+                if found:
+                    table.add(setting, found[1], *(found[0][name] for name in columns))
+    table = Table("peersAccuracy", ["setting", "until", *columns], larger=columns).inRounds(deviations, 1)
+    bars(table, ["setting"], "runOut99", "deviation of the run-out of 99 %")
 
 
 def frozenProblem(o, peers):
@@ -183,10 +193,12 @@ def frozenProblem(o, peers):
         return
     settledBed(o.frozen, o.core)
     os.sched_setaffinity(0, {o.core})
-    table = Table("peersFrozen", ["tolerance", "bar", "ourSeconds", "ourSweeps", "ourRms", "ourMax", "seconds", "iterations", "rms", "max", "ratio"])
-    for tolerance in o.tolerances:
-        frozen.addRows(table, ourRuns.PROGRAM, o.frozen, softRuns.FOLDER/"frozen", tolerance, MOST_ITERATIONS, o.core)
-    table.save()
+    def solves(table):
+        for tolerance in o.tolerances:
+            frozen.addRows(table, ourRuns.PROGRAM, o.frozen, softRuns.FOLDER/"frozen", tolerance, MOST_ITERATIONS, o.core)
+    columns = ["tolerance", "bar", "ourSeconds", "ourSweeps", "ourRms", "ourMax", "seconds", "iterations", "rms", "max", "ratio"]
+    table = Table("peersFrozen", columns, larger=("ourSeconds", "ourSweeps"), smaller=("ratio",)).inRounds(solves)
+    bars(table, ["tolerance", "bar"], "ratio", "processor time of NSGS over ours")
 
 
 def draw(table, name):

@@ -5,6 +5,8 @@
 
 #include "fluidCase.H"
 
+#include "accuracy/expectNear.hpp"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -64,7 +66,8 @@ TEST(fluidThroughBed, contractionHasBernoullisPressure)
         const ContractionErrors coarse = contractionErrors(32, scheme), fine = contractionErrors(64, scheme);
         std::cout << scheme << ": p " << 100*coarse.p << ' ' << 100*fine.p << " %, u " << coarse.u << ' ' << fine.u
             << '\n';
-        EXPECT_LT(fine.p, 0.005) << scheme;
+        figures::expectBelow(std::string("B02 ") + scheme, "pressure difference, 64 cells", fine.p, 0.005);
+        figures::row(std::string("B02 ") + scheme, "rms error of u over U, 64 cells", figures::none, figures::none, fine.u, figures::none);
         EXPECT_GT(std::log2(coarse.p/fine.p), 1.9) << scheme;
         EXPECT_GT(std::log2(coarse.u/fine.u), 1.9) << scheme;
     }
@@ -157,7 +160,7 @@ TEST(fluidThroughBed, brinkmanChannelIsSecondOrder)
     {
         const scalar coarse = brinkmanError(8, beta), fine = brinkmanError(16, beta);
         std::cout << "Brinkman beta " << beta << ": " << coarse << ' ' << fine << '\n';
-        EXPECT_LT(fine, 0.01);
+        figures::expectBelow("B03 beta " + figures::text(beta), "rms error of u, 16 cells a half", fine, 0.01);
         EXPECT_GT(std::log2(coarse/fine), 1.9);
     }
 }
@@ -168,7 +171,7 @@ TEST(fluidThroughBed, uniformFractionWithoutDragChangesNothing)
     const auto half = channel(8, 0.6, 0, 1), whole = channel(8, 1, 0, 1);
     const scalar fastest = max(mag(whole->fluid().U())).value();
     EXPECT_NEAR(fastest, 0.05, 1e-3);
-    EXPECT_LT(max(mag(half->fluid().U() - whole->fluid().U().primitiveField()))/fastest, 1e-8);
+    figures::expectBelow("B08", "u at alpha 0.6 against alpha 1", max(mag(half->fluid().U() - whole->fluid().U().primitiveField()))/fastest, 1e-8);
 }
 
 // Layers in series under a held mean flow: the gradient is the mean of the layers' own.

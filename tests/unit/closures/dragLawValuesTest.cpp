@@ -4,6 +4,8 @@
 // What each drag law must give: published formulas, terminal velocities, packed and fluidized beds.
 #include "dragStates.hpp"
 
+#include "accuracy/expectNear.hpp"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -100,9 +102,10 @@ TEST(DragLaws, hinderedSettling)
     {
         for (int k : {0, 1})
         {
-            EXPECT_NEAR(settlingVelocity(laws[k], sand, 1 - row.phi)/row.sand[k], 1, 1e-5) << row.phi;
-            EXPECT_NEAR(settlingVelocity(laws[k], viscous, 1 - row.phi)/row.viscous[k], 1, 1e-5) << row.phi;
-            EXPECT_NEAR(settlingVelocity(laws[k], coarse, 1 - row.phi)/row.coarse[k], 1, 1e-5) << row.phi;
+            const std::string scene = std::string("C09 ") + laws[k] + ", phi " + figures::text(row.phi);
+            figures::expectNear(scene, "speed of 0.2 mm [m/s]", settlingVelocity(laws[k], sand, 1 - row.phi), row.sand[k], 1e-5*row.sand[k]);
+            figures::expectNear(scene, "speed of 1 mm [m/s]", settlingVelocity(laws[k], viscous, 1 - row.phi), row.viscous[k], 1e-5*row.viscous[k]);
+            figures::expectNear(scene, "speed of 3 mm [m/s]", settlingVelocity(laws[k], coarse, 1 - row.phi), row.coarse[k], 1e-5*row.coarse[k]);
         }
     }
 }

@@ -4,6 +4,8 @@
 // Drag over one step: the split of gamma, and falling grains against their exact transients.
 #include "closures/implicitDrag.hpp"
 
+#include "accuracy/expectNear.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -179,7 +181,8 @@ TEST(ImplicitDrag, lethesStepOfFiveMilliseconds)
     for (const auto& row : transients)
     {
         if (row.fall != std::string("C03")) continue;
-        EXPECT_NEAR(speedAt(fall, row.t, 5e-3, closures::exponential, true)/row.speed, 1, 2e-3) << row.t;
+        figures::expectNear("C03 DallaValle, " + figures::text(1e3*row.t) + " ms", "speed in steps of 5 ms [m/s]",
+            speedAt(fall, row.t, 5e-3, closures::exponential, true), row.speed, 2e-3*row.speed);
         const double frozen = speedAt(fall, row.t, 5e-3, closures::exponential, false);
         EXPECT_GT(frozen/row.speed, 1.009) << "gamma from the start of the step should be 1 to 1.5 % fast";
     }

@@ -4,6 +4,8 @@
 // Ball and polyhedron: known volumes, brute force, shares of a filled space, continuity.
 #include "overlapShapes.hpp"
 
+#include "accuracy/expectNear.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,11 +68,11 @@ double cornerShare(const Vector3d& center)
 
 TEST(SphereOverlap, sharesOfCaseC25)
 {
-    EXPECT_NEAR(cornerShare({0, 0, 0}), 0.125, 1e-14);
-    EXPECT_NEAR(cornerShare({0.5, 0.5, 0.2}), 0.84375, 1e-14);
-    EXPECT_NEAR(cornerShare({0.1, 0.2, 0.15}), 0.4265588930608432, 1e-14);
-    EXPECT_NEAR(cornerShare({-0.1, -0.1, -0.1}), 0.0273901808479746, 1e-14);
-    EXPECT_NEAR(cornerShare({0.1, 0.2, 0.5}), 0.5701074723799777, 1e-14);
+    figures::expectNear("C25 center at the corner", "share in the cell", cornerShare({0, 0, 0}), 0.125, 1e-14);
+    figures::expectNear("C25 one face cuts", "share in the cell", cornerShare({0.5, 0.5, 0.2}), 0.84375, 1e-14);
+    figures::expectNear("C25 corner inside", "share in the cell", cornerShare({0.1, 0.2, 0.15}), 0.4265588930608432, 1e-14);
+    figures::expectNear("C25 center outside", "share in the cell", cornerShare({-0.1, -0.1, -0.1}), 0.0273901808479746, 1e-14);
+    figures::expectNear("C25 one edge cuts", "share in the cell", cornerShare({0.1, 0.2, 0.5}), 0.5701074723799777, 1e-14);
 }
 
 TEST(SphereOverlap, capAndWholeBallAndNothing)

@@ -10,6 +10,8 @@
 #include "../resources/bars.hpp"
 #include "../resources/csvFile.hpp"
 
+#include "nscd/base/formattedText.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -76,8 +78,8 @@ double relative(double value, double reference) { return value/reference - 1.0; 
 Collapse tabulate(bars::CsvFile& csv, const std::vector<Disc>& discs, double friction, double restitution, double deltaT)
 {
     const Collapse found = collapse(discs, friction, restitution, deltaT);
-    std::printf("mu %g e %g dt %g: overlap max %.2g mean %.2g d, %d steps at the cap\n", friction, restitution, deltaT,
-        found.overlapMax, found.overlapMean, found.capped);
+    bars::scene(nscd::formatted("A13 mu %g e %g dt %g", friction, restitution, deltaT));
+    std::printf("  overlap max %.2g mean %.2g d, %d steps at the cap\n", found.overlapMax, found.overlapMean, found.capped);
     for (std::size_t k = 0; k < published.size(); ++k)
     {
         const Shape &ours = found.shapes[k], &theirs = published[k].shape;
@@ -174,7 +176,7 @@ double runOut(bars::CsvFile& csv, double aspect, int number, unsigned seed)
 /// A14: exponents 1 below and 0.7 above a = 2 (Contact Dynamics, Staron & Hinch 2005).
 void scalings(const char* program)
 {
-    std::printf("A14: run-out of columns, mu 0.5, e 0.5\n");
+    bars::scene("A14 run-out of columns, mu 0.5, e 0.5");
     bars::CsvFile csv(program, "runOut", "aspect,discs,seed,R0,H0,Rinf,runOut,kineticEnergy");
     std::vector<double> low, lowOut, high, highOut;
     for (double aspect : {0.5, 1.0, 2.0, 4.0, 8.0})
@@ -188,8 +190,8 @@ void scalings(const char* program)
     }
     const double below = exponent(low, lowOut), above = exponent(high, highOut);
     std::printf("  exponents %.3f for a <= 2, %.3f for a >= 2\n", below, above);
-    require("exponent for a <= 2 against 1", std::abs(below - 1.0), 0.1);
-    require("exponent for a >= 2 against 0.7", std::abs(above - 0.7), 0.1);
+    bars::requireNear("exponent for a <= 2", below, 1.0, 0.1);
+    bars::requireNear("exponent for a >= 2", above, 0.7, 0.1);
 }
 
 } // namespace

@@ -7,6 +7,8 @@
 #include "../resources/bars.hpp"
 #include "../resources/csvFile.hpp"
 
+#include "nscd/base/formattedText.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -70,7 +72,7 @@ int main(int count, char** arguments)
     const int number = count > 2 ? std::atoi(arguments[2]) : 5000;
     auto dynamics = gas(number, 5).build(nscd::ContactSettings());
     bars::CsvFile csv(arguments[0], "haff", "time,temperature,haff,energyLossOfAStep");
-    std::printf("A11: %d spheres, e %g, time step %g s\n", number, restitution, deltaT);
+    bars::scene(nscd::formatted("A11 %d spheres, e %g, time step %g s", number, restitution, deltaT));
     double worst = 0.0, loss = 0.0, before = temperature;
     const int steps = static_cast<int>(std::lround(1.0/deltaT));
     for (int k = 1; k <= steps; ++k)

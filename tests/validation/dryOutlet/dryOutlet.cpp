@@ -7,6 +7,8 @@
 #include "../resources/bars.hpp"
 #include "../resources/csvFile.hpp"
 
+#include "nscd/base/formattedText.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -179,7 +181,7 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y)
 
 void beverloo(bars::CsvFile& csv, int dimensions, double width, int layers, const std::vector<double>& outlets, double fillings)
 {
-    std::printf("A18: silo of %g d in %d dimensions, mu 0.3, %d layers\n", width, dimensions, layers);
+    bars::scene(nscd::formatted("A18 silo of %g d in %d dimensions, mu 0.3, %d layers", width, dimensions, layers));
     const double power = dimensions == 3 ? 2.5 : 1.5, bulk = 2500*(dimensions == 3 ? 0.58 : 0.82);
     std::vector<double> open, flows;
     for (double outlet : outlets)
@@ -194,7 +196,7 @@ void beverloo(bars::CsvFile& csv, int dimensions, double width, int layers, cons
     }
     const double found = exponent(open, flows);
     std::printf("  W ~ (D - %g d)^%.3f\n", k, found);
-    require("exponent against Beverloo's", std::abs(found - power), 0.2);
+    bars::requireNear("exponent against Beverloo's", found, power, 0.2);
 }
 
 void head(bars::CsvFile& csv, int dimensions, double width, double outlet, int low, int high, double fillings)
@@ -206,7 +208,8 @@ void head(bars::CsvFile& csv, int dimensions, double width, double outlet, int l
         flows[n] = flow({dimensions, width, outlet, layers[n]}, fillings*low/layers[n]);
         csv.row({double(dimensions), width, double(layers[n]), outlet, flows[n], 0.0});
     }
-    std::printf("  head of %d and %d layers, D %g d: %.5g and %.5g kg/s\n", low, high, outlet, flows[0], flows[1]);
+    bars::scene(nscd::formatted("A18 head of %d and %d layers, D %g d", low, high, outlet));
+    std::printf("  %.5g and %.5g kg/s\n", flows[0], flows[1]);
     require("flow at the higher head against the lower, share", std::abs(flows[1]/flows[0] - 1), 0.03);
 }
 

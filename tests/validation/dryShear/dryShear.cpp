@@ -7,6 +7,8 @@
 #include "../resources/bars.hpp"
 #include "../resources/csvFile.hpp"
 
+#include "nscd/base/formattedText.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -151,8 +153,9 @@ void judge(bars::CsvFile& csv, double width, double height, double pressure, dou
     const Means means = shear(scene, plate, rate, shearOfAll, deltaT);
     const double actual = rate*height/means.height, inertial = actual*meanDiameter*std::sqrt(density/pressure), fraction = area(scene.grains)/(width*means.height);
     const double friction = std::abs(means.bottom[0]/means.bottom[2]);
-    std::printf("A19: %zu discs under %g Pa, belt at %g m/s for %g s: solid fraction %.4f, I %.4f (belt speed over height), mu_eff %.4f; %d of %d steps at the cap\n",
-        scene.grains.size(), pressure, rate*height, shearOfAll/rate, fraction, inertial, friction, means.capped, means.steps);
+    bars::scene(nscd::formatted("A19 %zu discs under %g Pa, belt at %g m/s for %g s", scene.grains.size(), pressure, rate*height, shearOfAll/rate));
+    std::printf("  solid fraction %.4f, I %.4f (belt speed over height), mu_eff %.4f; %d of %d steps at the cap\n", fraction, inertial, friction,
+        means.capped, means.steps);
     csv.row({rate, deltaT, double(scene.grains.size()), fraction, pressure, inertial, friction, means.top[0], means.top[2], means.bottom[0], means.bottom[2], means.overlap});
     const double size = std::abs(means.bottom[0]);
     const Vec3 unexplained = means.top + means.bottom + means.gained;

@@ -6,6 +6,8 @@
 #include "unit/nscd/scenes/naturalMap.hpp"
 #include "../resources/bars.hpp"
 
+#include "nscd/base/formattedText.hpp"
+
 #include <cstdio>
 #include <ctime>
 
@@ -41,7 +43,8 @@ void coldThenRest(const char* name, const Scene& scene, const nscd::ContactSetti
     const double start = cpuSeconds();
     const nscd::StepReport first = step(dynamics, scene.g, deltaT);
     const double cold = cpuSeconds() - start;
-    std::printf("%s: first step %d sweeps, %d Newton steps, %.2f s, %s\n", name, first.solve.sweeps, first.solve.newtonSteps, cold, first.solve.converged ? "converged" : "at the cap");
+    bars::scene(name);
+    std::printf("  first step %d sweeps, %d Newton steps, %.2f s, %s\n", first.solve.sweeps, first.solve.newtonSteps, cold, first.solve.converged ? "converged" : "at the cap");
     require("base force against weight, first step", baseForceError(scene, dynamics), 1e-4);
     double worst = 0.0;
     int sweeps = 0, newtonSteps = 0, capped = 0;
@@ -119,7 +122,8 @@ void heavyOnStack(double ratio, int steps)
         unconverged += !report.solve.converged;
         hidden += report.solve.hiddenMassRatio > 0.0;
     }
-    std::printf("1:%g on a stack of 19, default settings, %d steps: %.2f Newton steps a step\n", ratio, steps, double(newtonSteps)/steps);
+    bars::scene(nscd::formatted("S4 1:%g on a stack of 19, default settings", ratio));
+    std::printf("  %d steps: %.2f Newton steps a step\n", steps, double(newtonSteps)/steps);
     require("base force against weight, worst step", worst, 1e-3);
     require("steps not converged, or that warn of hidden forces", unconverged + hidden, 0);
 }
@@ -130,14 +134,13 @@ int main()
 {
     nscd::ContactSettings settings;
     settings.tolerance = settings.displacementTolerance = 1e-8;
-    coldThenRest("stack of 1000", stack(1000), settings, 20);
-    coldThenRest("zig-zag wall 3 x 300", zigZagWall(3, 300), settings, 300);
+    coldThenRest("A08 stack of 1000", stack(1000), settings, 20);
+    coldThenRest("S5 zig-zag wall 3 x 300", zigZagWall(3, 300), settings, 300);
     settings.maxSweeps = 3000;  // the wedges of such a stack take more than the default cap of 1000 to this tolerance
-    coldThenRest("hexagonal stack 20 x 200", hexagonalStack(20, 200), settings, 100);
+    coldThenRest("S5 hexagonal stack 20 x 200", hexagonalStack(20, 200), settings, 100);
     settings.maxSweeps = nscd::ContactSettings().maxSweeps;
     settings.deadBand *= 0.1;
-    std::printf("At a tenth of the dead band\n");
-    coldThenRest("stack of 1000", stack(1000), settings, 20);
+    coldThenRest("A08 stack of 1000 at a tenth of the dead band", stack(1000), settings, 20);
     for (double ratio : {1e2, 1e3, 1e4}) heavyOnStack(ratio, 300);
     return bars::status();
 }

@@ -7,6 +7,8 @@
 #include "unit/nscd/scenes/naturalMap.hpp"
 #include "../resources/bars.hpp"
 
+#include "nscd/base/formattedText.hpp"
+
 #include <chrono>
 #include <cstdio>
 
@@ -57,7 +59,7 @@ nscd::ContactSettings settings(double tolerance)
 /// or four holds a contact that takes some 30 sweeps a step, so that sweeps are told of several and not of a chosen one.
 void boxOfDiscs(double smallest)
 {
-    std::printf("A09: 500 discs, the smallest %g of the largest, settled, then 2000 steps\n", smallest);
+    bars::scene(nscd::formatted("A09 500 discs, the smallest %g of the largest, settled, then 2000 steps", smallest));
     Scene scene = heap(2, 20, 25, radius, smallest, 0.5);
     auto settling = scene.build(awake());
     for (int k = 0; k < 2000; ++k) step(settling, scene.g, deltaT);
@@ -103,8 +105,8 @@ void tallStack(int grains, double bar)
         const int lower = c.b < 0 ? 0 : std::max(c.a, c.b);
         worst = std::max(worst, std::abs(c.impulse.norm()/unit - (grains - lower))/grains);
     }
-    std::printf("A08: stack of %d from cold: %d sweeps, %.2f s, %s\n", grains, report.solve.sweeps, secondsSince(start),
-        report.solve.converged ? "converged" : "at the cap");
+    bars::scene(nscd::formatted("A08 stack of %d from cold", grains));
+    std::printf("  %d sweeps, %.2f s, %s\n", report.solve.sweeps, secondsSince(start), report.solve.converged ? "converged" : "at the cap");
     require("impulses, N m g dt", worst, bar);
 }
 
@@ -126,7 +128,8 @@ void hexagonalStack()
     auto dynamics = scene.build(tightest);
     const auto start = std::chrono::steady_clock::now();
     const nscd::StepReport report = step(dynamics, scene.g, deltaT);
-    std::printf("Hexagonal stack 20 x 100 from cold: %d sweeps, %.2f s\n", report.solve.sweeps, secondsSince(start));
+    bars::scene("Hexagonal stack 20 x 100 from cold");
+    std::printf("  %d sweeps, %.2f s\n", report.solve.sweeps, secondsSince(start));
     Judge judge(scene, 0.5, tightest.deadBand*2*radius, deltaT);
     require("natural map by other code, rms, g dt", judge(scene.grains, dynamics).rms/(gravity*deltaT), 1e-8);
     const Vec3 load = totalMass(scene.grains)*scene.g;
@@ -147,7 +150,7 @@ void bedOfSpheres()
         overlapMax = std::max(overlapMax, report.overlapMax);
         overlapMean = std::max(overlapMean, report.overlapMean);
     }
-    std::printf("Bed of %zu spheres at the default settings: landing\n", scene.grains.size());
+    bars::scene(nscd::formatted("Bed of %zu spheres at the default settings: landing", scene.grains.size()));
     require("steps at the cap, share", capped/2000.0, 0.01);
     require("overlap, largest, d", overlapMax, 1e-3);
     require("overlap, mean of the worst step, d", overlapMean, 1e-4);
@@ -156,7 +159,7 @@ void bedOfSpheres()
     for (int k = 0; k < 500; ++k) rolling += step(dynamics, scene.g, deltaT).solve.sweeps;
     std::printf("  while the last grains roll: %.2f sweeps a step\n", rolling/500.0);
     for (int k = 0; k < 4000; ++k) stepDamped(dynamics, scene.g, deltaT);
-    std::printf("and, once a viscous medium has stopped those, 1000 steps at rest without it\n");
+    bars::scene("And, once a viscous medium has stopped those, 1000 steps at rest without it");
     const nscd::Grains before = dynamics.grains();
     int sweeps = 0, corrections = 0;
     for (int k = 0; k < 1000; ++k)

@@ -204,22 +204,53 @@ def values(text):
     return [tuple(float(number) for number in part.split()) for part in re.findall(r"\(([^()]*)\)", inner)]
 
 
+class FigureTable:
+    """Rows of figures in the folder that ACCURACY_FOLDER names, if it names one, as tests/accuracy/figures.hpp writes those of C++: the table
+    is named after the validation case, and begun anew."""
+
+    def __init__(self):
+        folder = os.environ.get("ACCURACY_FOLDER")
+        name = os.path.basename(os.path.dirname(os.path.abspath(sys.argv[0])))
+        self.file = open(os.path.join(folder, name + ".csv"), "w", newline="") if folder else None
+        if self.file:
+            self.file.write("# SPDX-License-Identifier: GPL-3.0-or-later\n# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors\n")
+            self.file.write("# origin: %s\n# larger is worse: error\n" % os.environ.get("ACCURACY_ORIGIN", "not stated"))
+            self.row("scene", "quantity", "reference", "error", "ours", "bar")
+
+    def row(self, *values):
+        if self.file:
+            csv.writer(self.file, lineterminator="\n").writerow(values)
+            self.file.flush()
+
+
 class Verdict:
-    """Figures with their tolerances; ends the program with status 1 when one is out."""
+    """Figures with their tolerances; ends the program with status 1 when one is out. What a figure is called begins with the name of its
+    case, if it has one, and ends with the quantity behind a colon."""
 
     def __init__(self):
         self.failed = 0
         self.count = 0
+        self.table = FigureTable()
 
     def near(self, what, value, reference, tolerance, relative=True):
-        scale = abs(reference) if relative else 1.0
-        self.below(what, abs(value - reference)/scale, tolerance, "%.8g for %.8g" % (value, reference))
+        error = abs(value - reference)
+        scale, size = (abs(reference) if relative else 1.0), (abs(reference) or 1.0)
+        self.judge(what, error/scale, tolerance, "%.8g for %.8g" % (value, reference))
+        self.row(what, "%.9g" % reference, "%.9g" % value, error/size, tolerance*scale/size)
 
     def below(self, what, error, tolerance, detail=""):
+        self.judge(what, error, tolerance, detail)
+        self.row(what, "", "", error, tolerance)
+
+    def judge(self, what, error, tolerance, detail):
         good = error <= tolerance
         self.count += 1
         self.failed += not good
         print("%-4s %-58s %.3g <= %.3g  %s" % ("ok" if good else "BAD", what, error, tolerance, detail))
+
+    def row(self, what, reference, ours, error, bar):
+        scene, _, quantity = what.rpartition(": ")
+        self.table.row(scene, quantity, reference, "%.3g" % error, ours, "%.9g" % bar)
 
     def finish(self):
         print("%d of %d within tolerance" % (self.count - self.failed, self.count))

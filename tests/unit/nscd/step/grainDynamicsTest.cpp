@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // One grain and one plane against closed forms: fall and stop, bouncing, slide to roll, incline, oblique impact.
+#include "accuracy/expectNear.hpp"
 #include "unit/nscd/scenes/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -65,16 +66,16 @@ TEST(SingleGrain, fallsAndStops)
             touchSpeed = -before;
         }
     }
-    EXPECT_NEAR(touchTime, 0.28557, 1.01*deltaT);
-    EXPECT_NEAR(touchSpeed, 2.80143, gravity*deltaT);
+    figures::expectNear("A01", "time of touch [s]", touchTime, 0.28557, 1.01*deltaT);
+    figures::expectNear("A01", "speed of touch [m/s]", touchSpeed, 2.80143, gravity*deltaT);
     step(dynamics, scene.g, deltaT);
     const double height = dynamics.grains().position[0][2];
-    EXPECT_NEAR(height, 0.1, 1e-7);
+    figures::expectNear("A01", "height at rest [m]", height, 0.1, 1e-7);
     for (int k = 0; k < 10000; ++k) step(dynamics, scene.g, deltaT);
     EXPECT_NEAR(dynamics.grains().position[0][2], height, 1e-12);
     EXPECT_NEAR(dynamics.grains().velocity[0].norm(), 0.0, 1e-12);
     const double weightForce = dynamics.grains().mass[0]*gravity;
-    EXPECT_NEAR(dynamics.contactForce()[0][2], weightForce, 1e-9*weightForce);
+    figures::expectNear("A01", "contact force at rest [N]", dynamics.contactForce()[0][2], weightForce, 1e-9*weightForce);
     EXPECT_NEAR(dynamics.wallForce()[0][2], -weightForce, 1e-9*weightForce);
 }
 
@@ -82,20 +83,21 @@ TEST(SingleGrain, bouncesToThePeaksOfNewtonsLaw)
 {
     for (double e : {0.9, 0.7, 0.5})
     {
-        const Scene scene = dropScene(e);
+        const Scene drop = dropScene(e);
         double coarseRest = 0.0, fineRest = 0.0;
-        const std::vector<double> coarse = bouncePeaks(scene, 1e-3, coarseRest);
-        const std::vector<double> fine = bouncePeaks(scene, 1e-4, fineRest);
+        const std::vector<double> coarse = bouncePeaks(drop, 1e-3, coarseRest);
+        const std::vector<double> fine = bouncePeaks(drop, 1e-4, fineRest);
         ASSERT_EQ(coarse.size(), 3u);
         ASSERT_EQ(fine.size(), 3u);
-        EXPECT_NEAR(coarse[0], 0.4*e*e, 0.01*0.4*e*e) << "e " << e;
+        const std::string scene = "A02 e " + figures::text(e);
+        figures::expectNear(scene + ", dt 1e-3", "first peak [m]", coarse[0], 0.4*e*e, 0.01*0.4*e*e);
         for (int k = 0; k < 3; ++k)
         {
             const double peak = 0.4*std::pow(e, 2*(k + 1));
-            EXPECT_NEAR(fine[k], peak, 0.01*peak) << "e " << e << " bounce " << k + 1;
+            figures::expectNear(scene + ", dt 1e-4", "peaks 1 to 3 [m]", fine[k], peak, 0.01*peak);
         }
         const double rest = std::sqrt(2*0.4/gravity)*(1 + e)/(1 - e);
-        EXPECT_NEAR(fineRest, rest, 0.01*rest) << "e " << e;
+        figures::expectNear(scene + ", dt 1e-4", "time to rest [s]", fineRest, rest, 0.01*rest);
     }
 }
 
@@ -133,10 +135,11 @@ TEST(SingleGrain, slidingTurnsIntoRolling)
             const int steps = static_cast<int>(slideTime/deltaT) + 20;
             double x, v, omega;
             slide(dimensions, radius, mu, v0, deltaT, steps, x, v, omega);
-            EXPECT_NEAR(v, rolling, 1e-8) << "mu " << mu;
-            EXPECT_NEAR(omega*radius, rolling, 1e-8) << "mu " << mu;
+            const std::string scene = (dimensions == 3 ? "A05 sphere, mu " : "A05 disc, mu ") + figures::text(mu);
+            figures::expectNear(scene, "speed when rolling [m/s]", v, rolling, 1e-8);
+            figures::expectNear(scene, "spin times radius [m/s]", omega*radius, rolling, 1e-8);
             const double xExact = distance + rolling*(steps*deltaT - slideTime);
-            EXPECT_NEAR(x, xExact, mu*gravity*slideTime*deltaT) << "mu " << mu;
+            figures::expectNear(scene, "distance [m]", x, xExact, mu*gravity*slideTime*deltaT);
         }
     }
 }
@@ -180,12 +183,13 @@ TEST(SingleGrain, rollsOrSlidesDownAnIncline)
             const double threshold = kappa/(1 + kappa)*std::tan(slope);
             double a, spin;
             incline(dimensions, slope, 1.003*threshold, a, spin);
-            EXPECT_NEAR(a, gravity*std::sin(slope)/(1 + kappa), 1e-9);
+            const std::string scene = (dimensions == 3 ? "A06 sphere, slope " : "A06 disc, slope ") + figures::text(slope);
+            figures::expectNear(scene, "acceleration, rolling [m/s2]", a, gravity*std::sin(slope)/(1 + kappa), 1e-9);
             EXPECT_NEAR(spin, a, 1e-9);
             const double mu = 0.997*threshold;
             incline(dimensions, slope, mu, a, spin);
-            EXPECT_NEAR(a, gravity*(std::sin(slope) - mu*std::cos(slope)), 1e-9);
-            EXPECT_NEAR(spin, mu*gravity*std::cos(slope)/kappa, 1e-9);
+            figures::expectNear(scene, "acceleration, sliding [m/s2]", a, gravity*(std::sin(slope) - mu*std::cos(slope)), 1e-9);
+            figures::expectNear(scene, "spin-up, sliding [m/s2]", spin, mu*gravity*std::cos(slope)/kappa, 1e-9);
             EXPECT_GT(a - spin, 1e-4);
         }
     }
@@ -212,8 +216,8 @@ TEST(SingleGrain, sticksOnAnInclineWithItsRotationHeld)
             creep = std::max(creep, dynamics.grains().velocity[0].norm());
         }
         const double slip = gravity*(std::sin(slope) - mu*std::cos(slope));
-        if (mu > std::tan(slope)) EXPECT_LT(creep, 1e-8);
-        else EXPECT_NEAR(dynamics.grains().velocity[0][0], slip*200*deltaT, 1e-9);
+        if (mu > std::tan(slope)) figures::expectBelow("A06 held, mu 0.3650", "creep where it sticks [m/s]", creep, 1e-8);
+        else figures::expectNear("A06 held, mu 0.3630", "speed where it slips [m/s]", dynamics.grains().velocity[0][0], slip*200*deltaT, 1e-9);
     }
 }
 
@@ -235,10 +239,12 @@ TEST(SingleGrain, obliqueImpactFollowsRigidCoulomb)
     for (double degrees : {39.303, 49.546, 59.842, 20.0, 10.0})
     {
         const double expected = std::max(5.0/7.0, 1 - mu*(1 + e)/std::tan(degrees*pi/180));
-        EXPECT_NEAR(reboundRatio(degrees), expected, 1e-8) << degrees;
+        figures::expectNear("A10 " + figures::text(degrees) + " deg", "tangential rebound", reboundRatio(degrees), expected, 1e-8);
     }
     // Experiment of the catalogue (case A10), above the rolling limit.
-    EXPECT_NEAR(reboundRatio(39.303), 0.7719, 0.015*0.7719);
-    EXPECT_NEAR(reboundRatio(49.546), 0.8469, 0.015*0.8469);
-    EXPECT_NEAR(reboundRatio(59.842), 0.9019, 0.015*0.9019);
+    const double measured[][2] = {{39.303, 0.7719}, {49.546, 0.8469}, {59.842, 0.9019}};
+    for (const auto& [degrees, ratio] : measured)
+    {
+        figures::expectNear("A10 " + figures::text(degrees) + " deg", "tangential rebound, experiment", reboundRatio(degrees), ratio, 0.015*ratio);
+    }
 }

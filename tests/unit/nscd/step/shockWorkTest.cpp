@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Shocks with restitution: two and three bodies against closed forms, and energy in elastic gases.
+#include "accuracy/expectNear.hpp"
 #include "unit/nscd/scenes/scenes.hpp"
 
 #include "nscd/scene/stepWarnings.hpp"
@@ -46,8 +47,9 @@ TEST(Shock, twoBodiesFollowNewton)
             auto dynamics = scene.build();
             step(dynamics, Vec3::Zero(), 1e-3);
             const double total = ratio + 1;
-            EXPECT_NEAR(dynamics.grains().velocity[0][0], (ratio - e)/total, 1e-10) << "ratio " << ratio << " e " << e;
-            EXPECT_NEAR(dynamics.grains().velocity[1][0], (1 + e)*ratio/total, 1e-10) << "ratio " << ratio << " e " << e;
+            const std::string shock = "A03 masses 1:" + figures::text(ratio) + ", e " + figures::text(e);
+            figures::expectNear(shock, "velocity of the first [m/s]", dynamics.grains().velocity[0][0], (ratio - e)/total, 1e-10);
+            figures::expectNear(shock, "velocity of the second [m/s]", dynamics.grains().velocity[1][0], (1 + e)*ratio/total, 1e-10);
         }
     }
 }
@@ -59,7 +61,10 @@ TEST(Shock, threeTouchingBallsFollowMoreauAndNewton)
         auto dynamics = row(3, 0.0, e).build();
         step(dynamics, Vec3::Zero(), 1e-3);
         const Vec3 expected = e == 1.0 ? Vec3(-1.0/3, 2.0/3, 2.0/3) : Vec3(1.0/3, 1.0/3, 1.0/3);
-        for (int i = 0; i < 3; ++i) EXPECT_NEAR(dynamics.grains().velocity[i][0], expected[i], 1e-8) << "e " << e;
+        for (int i = 0; i < 3; ++i)
+        {
+            figures::expectNear("A04 touching, e " + figures::text(e), "velocities [m/s]", dynamics.grains().velocity[i][0], expected[i], 1e-8);
+        }
         const double mass = dynamics.grains().mass[0];
         EXPECT_NEAR(dynamics.contactForce()[2][0]*1e-3, mass*expected[2], 1e-8*mass);
         EXPECT_NEAR(dynamics.contactForce()[0][0]*1e-3, mass*(expected[0] - 1), 1e-8*mass);
@@ -72,7 +77,7 @@ TEST(Shock, threeBallsWithGapsCollideOneAfterAnother)
     for (int k = 0; k < 400; ++k) step(dynamics, Vec3::Zero(), 1e-6);
     EXPECT_NEAR(dynamics.grains().velocity[0][0], 0.0, 1e-8);
     EXPECT_NEAR(dynamics.grains().velocity[1][0], 0.0, 1e-8);
-    EXPECT_NEAR(dynamics.grains().velocity[2][0], 1.0, 1e-8);
+    figures::expectNear("A04 gaps, e 1", "velocity of the last [m/s]", dynamics.grains().velocity[2][0], 1.0, 1e-8);
 }
 
 TEST(Shock, massesDifferInARowOfFive)
@@ -134,7 +139,7 @@ TEST(Shock, elasticDiscsInABoxKeepTheirEnergy)
         ASSERT_NEAR((after - before - fromWalls).norm(), 0.0, 1e-10*dynamics.grains().mass[0]) << "step " << k;
         before = after;
     }
-    EXPECT_NEAR(nscd::kineticEnergy(dynamics.grains()), energy, 1e-6*energy);
+    figures::expectNear("A12", "kinetic energy after 10 000 steps [J]", nscd::kineticEnergy(dynamics.grains()), energy, 1e-6*energy);
 }
 
 TEST(Shock, elasticDenseSpheresKeepTheirEnergyWithoutFriction)
