@@ -5,6 +5,7 @@
 #include "caseTools.H"
 #include "programCase.H"
 
+#include <algorithm>
 #include <fstream>
 
 using namespace Foam;
@@ -31,11 +32,15 @@ Files onTheFloor(const std::string& sleep)
     };
 }
 
-ProgramRun runOnTheFloor(const ProgramCase& c)
+void writeFloor(const ProgramCase& c)
 {
     std::ofstream file(c.path("constant/floor.txt"));
     for (int k = 0; k < 9; ++k) file << 0.03 + 0.02*(k % 3) << " " << 0.03 + 0.02*(k/3) << " 0.005 0.01\n";
-    file.close();
+}
+
+ProgramRun runOnTheFloor(const ProgramCase& c)
+{
+    writeFloor(c);
     return c.run();
 }
 
@@ -75,4 +80,20 @@ TEST(SleepInFluid, wakesInTheStepInWhichTheFlowBegins)
         EXPECT_NEAR(height[k], expected[k], 1e-3*(expected[k] - 0.005) + 1e-8) << time[k];
         EXPECT_NEAR(force[k], expectedForce[k], 2e-3*std::abs(expectedForce[0])) << time[k];
     }
+}
+
+// The border goes through three of the grains' centers.
+TEST(Ranks, sleepInAFluidAsOnOne)
+{
+    const std::string control = "endTime 0.22; writeInterval 1000;";
+    const ProgramCase alone(onTheFloor("on"), control), together(onTheFloor("on"), control);
+    ASSERT_EQ(runOnTheFloor(alone).status, 0);
+    writeFloor(together);
+    ASSERT_EQ(together.decompose(labelVector(2, 1, 1)).status, 0);
+    const ProgramRun run = together.runOn(2);
+    ASSERT_EQ(run.status, 0) << run.log;
+    const std::vector<double> asleep = alone.reported("0", "asleep"), asleepTogether = together.reported("0", "asleep");
+    EXPECT_EQ(asleepTogether, asleep);
+    EXPECT_EQ(*std::max_element(asleep.begin(), asleep.end()), 9);
+    EXPECT_NEAR(together.reported("0", "massCenterZ").back(), alone.reported("0", "massCenterZ").back(), 1e-7);
 }
