@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What a step would end with: solves that move nothing.
-// Tested by tests/unit/nscd/step/grainSleepTest.cpp, tests/unit/nscd/contacts/laws/cohesionTest.cpp
+// Tested by tests/unit/nscd/step/predictionTest.cpp, tests/unit/nscd/step/grainSleepTest.cpp
 #include "nscd/step/grainDynamicsParts.hpp"
 
 namespace nscd
@@ -36,6 +36,24 @@ void setImpulses(ContactList& list, const SlotImpulses& kept)
         setImpulse(list, slot, kept.r[slot]);
         if (list.laws.haveImpulses()) list.laws.setImpulses(slot, kept.ofLaws[slot]);
     }
+}
+
+/// A guess: what the last trial changed, on top of the impulses there are. Nothing pulls.
+void addChange(ContactList& list, const std::vector<Vec3>& change)
+{
+    if (change.size() != list.slots()) return;
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        const Vec3 guess = impulse(list, slot) + change[slot];
+        setImpulse(list, slot, guess.dot(normal(list, slot)) > 0.0 ? guess : Vec3(Vec3::Zero()));
+    }
+}
+
+std::vector<Vec3> changeOf(const ContactList& list, const SlotImpulses& before)
+{
+    std::vector<Vec3> change(list.slots());
+    for (std::size_t slot = 0; slot < list.slots(); ++slot) change[slot] = impulse(list, slot) - before.r[slot];
+    return change;
 }
 
 } // namespace
@@ -79,7 +97,9 @@ Prediction GrainDynamics::tryForces(const ExternalForces& external)
     if (!self.isStepBegun) self.beginAwakeStep(false);
     // On the list as it is: nothing moves, so nothing can get past what is not listed.
     const SlotImpulses before = impulsesOf(self.list);
+    addChange(self.list, self.trialChange);
     Prediction prediction = self.predicted(self.solveOnce(external));
+    self.trialChange = changeOf(self.list, before);
     setImpulses(self.list, before);
     return prediction;
 }

@@ -184,6 +184,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
     self.shockImpulses.clear();
+    self.trialChange.clear();
     self.stepsPerList = fewestStepsPerList;
     self.isListStale = true;
     self.isStepBegun = false;
@@ -207,6 +208,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.packing.note(0);
     self.list = ContactList();
     self.shockImpulses.clear();
+    self.trialChange.clear();
     self.stepsPerList = fewestStepsPerList;
     self.isListStale = true;
     self.isStepBegun = false;
