@@ -11,7 +11,8 @@ from results import BUILD, Table, pyplot, savePicture
 from foamCase import BoxCase
 
 G, D, DELTA_T = 9.81, 1.2e-3, 1e-3
-SETTLED, FALLING_ASLEEP, WINDOW = 0.5, 160, 100     # [s], then steps
+DRY, SETTLED = 0.5, 0.8              # when the dry bed, and the bed in water, have come to rest [s]
+FALLING_ASLEEP, WINDOW = 160, 100    # steps
 PARTS = ["sampleFluid", "linearizeDrag", "solveFluid", "fluidForces", "advanceGrains", "depositGrains", "reportStep"]
 GRAINS = """
 materials {{ glass {{ density 2500; }} }}
@@ -27,17 +28,20 @@ def writeGrains(case, sleep, extra=""):
 
 
 def settle():
-    """The bed at rest, and water around it that has never moved."""
+    """The bed at rest in water, with the forces that it has there."""
     case = BoxCase(BUILD/"cases/sleepInFluid", (0, 0, 0), (0.044, 0.01, 0.12), (22, 5, 60),
                    {"xMin": "wall", "xMax": "wall", "yMin": "wall", "yMax": "wall", "zMin": "wall", "zMax": "patch"})
     case.gravity((0, 0, -G))
     writeGrains(case, "on", "fluid none;")
-    case.control(DELTA_T, SETTLED)
+    case.control(DELTA_T, DRY)
     case.call("blockMesh")
     pinned("nscdDEMFoam", case.folder)
     case.fluid(1000, 1e-3)
     for name in ("U", "p_rgh"):
         shutil.copy(Path(case.folder, "0", name), Path(case.folder, case.times()[-1]))
+    writeGrains(case, "on")
+    case.control(DELTA_T, SETTLED)
+    pinned("nscdDEMFoam", case.folder)
     return case
 
 
