@@ -2,16 +2,15 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """K2: what `fluid none` saves: steps of a settled box without fluid and in still air, from the same state."""
 
-import re
 import shutil
 from pathlib import Path
 
 from pinnedRun import pinned
-from results import BUILD, Table, pyplot, savePicture
+from results import BUILD, Table
 from settledBox import settledBox, writeGrains
+from timingTable import PARTS, drawParts, timesOf
 
 SETTLED, STEPS, DELTA_T = 0.2, 50, 1e-3
-PARTS = ["sampleFluid", "linearizeDrag", "solveFluid", "fluidForces", "advanceGrains", "depositGrains", "reportStep"]
 
 
 def settle():
@@ -33,8 +32,7 @@ def steps(case, extra, count):
 def addSteps(table, case, name, extra):
     startUp, _ = steps(case, extra, 1)
     long, log = steps(case, extra, 1 + STEPS)
-    parts = [float(re.search(r"^\s*%s\s+\S+\s+\S+ %%\s+(\S+)\s*$" % part, log, flags=re.M).group(1)) for part in PARTS]
-    table.add(name, 1e3*(long - startUp)/STEPS, log.count("Solving for"), *parts)
+    table.add(name, 1e3*(long - startUp)/STEPS, log.count("Solving for"), *timesOf(log, "ms"))
 
 
 def measure(table):
@@ -51,19 +49,7 @@ def measure(table):
 
 
 def main():
-    draw(Table("K2", ["fluid", "ms", "linearSolves"] + PARTS, larger=("ms",)).inRounds(measure))
-
-
-def draw(table):
-    figure, axes = pyplot.subplots(figsize=(6, 3.5))
-    left = [0.0]*len(table.rows)
-    for k, part in enumerate(PARTS):
-        widths = [row[3 + k] for row in table.rows]
-        axes.barh(table.column("fluid"), widths, left=left, label=part)
-        left = [a + b for a, b in zip(left, widths)]
-    axes.set_xlabel("ms per step (clock)")
-    axes.legend(fontsize=7)
-    savePicture(figure, "K2")
+    drawParts(Table("K2", ["fluid", "ms", "linearSolves"] + PARTS, larger=("ms",)).inRounds(measure), "K2", "fluid")
 
 
 main()

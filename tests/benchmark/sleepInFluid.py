@@ -7,13 +7,13 @@ import shutil
 from pathlib import Path
 
 from pinnedRun import pinned
-from results import BUILD, Table, pyplot, savePicture
+from results import BUILD, Table
+from timingTable import PARTS, drawParts, timesOf
 from foamCase import BoxCase
 
 G, D, DELTA_T = 9.81, 1.2e-3, 1e-3
 DRY, SETTLED = 0.5, 0.8              # when the dry bed, and the bed in water, have come to rest [s]
 FALLING_ASLEEP, WINDOW = 160, 100    # steps
-PARTS = ["sampleFluid", "linearizeDrag", "solveFluid", "fluidForces", "advanceGrains", "depositGrains", "reportStep"]
 GRAINS = """
 materials {{ glass {{ density 2500; }} }}
 contacts  {{ default {{ friction 0.3; rollingFriction 0.005; spinningFriction 0.005; }} }}
@@ -45,21 +45,24 @@ def settle():
     return case
 
 
-def secondsOfParts(case, steps):
-    """Of a run of some steps from the settled bed, and how many grains slept at its end."""
-    case.control(DELTA_T, SETTLED + steps*DELTA_T, 1e6)
-    pinned("nscdDEMFoam", case.folder)
-    log = Path(case.folder, "log.nscdDEMFoam").read_text()
-    seconds = [float(re.search(r"^\s*%s\s+(\S+)\s+\S+ %%" % part, log, flags=re.M).group(1)) for part in PARTS]
-    return seconds, int(case.report()["asleep"][-1])
+def window(case):
+    """Of the last steps of a run from the settled bed: ms of each part, sweeps of prediction and trial together, and how many grains sleep."""
+    seconds, sweeps = [], []
+    for steps in (FALLING_ASLEEP, FALLING_ASLEEP + WINDOW):
+        case.control(DELTA_T, SETTLED + steps*DELTA_T, 1e6)
+        pinned("nscdDEMFoam", case.folder)
+        log = Path(case.folder, "log.nscdDEMFoam").read_text()
+        seconds.append(timesOf(log, "seconds"))
+        sweeps.append(sum(map(int, re.findall(r"predictor (\d+) sweeps", log))))
+    parts = [1e3*(after - before)/WINDOW for before, after in zip(*seconds)]
+    return parts, (sweeps[1] - sweeps[0])/WINDOW, int(case.report()["asleep"][-1])
 
 
 def addSteps(table, case, sleep):
     writeGrains(case, sleep)
-    before, _ = secondsOfParts(case, FALLING_ASLEEP)
-    after, asleep = secondsOfParts(case, FALLING_ASLEEP + WINDOW)
-    parts = [1e3*(b - a)/WINDOW for a, b in zip(before, after)]
-    table.add(sleep, asleep, sum(parts) - parts[PARTS.index("solveFluid")] - parts[PARTS.index("reportStep")], *parts)
+    parts, sweeps, asleep = window(case)
+    ofFluid = sum(time for part, time in zip(PARTS, parts) if part in ("solveFluid", "reportStep"))
+    table.add(sleep, asleep, sweeps, sum(parts) - ofFluid, *parts)
 
 
 def main():
@@ -69,16 +72,8 @@ def main():
         for sleep in ("off", "on"):
             addSteps(table, case, sleep)
 
-    table = Table("sleepInFluid", ["sleep", "asleep", "grainPart"] + PARTS, larger=("grainPart",)).inRounds(measure)
-    figure, axes = pyplot.subplots(figsize=(6, 2.5))
-    left = [0.0]*len(table.rows)
-    for part in PARTS:
-        widths = table.column(part)
-        axes.barh(["sleep " + word for word in table.column("sleep")], widths, left=left, label=part)
-        left = [a + b for a, b in zip(left, widths)]
-    axes.set_xlabel("ms per step")
-    axes.legend(fontsize=6)
-    savePicture(figure, "sleepInFluid")
+    table = Table("sleepInFluid", ["sleep", "asleep", "predictorSweeps", "grainPart"] + PARTS, larger=("predictorSweeps", "grainPart"))
+    drawParts(table.inRounds(measure), "sleepInFluid", "sleep")
     case.remove()
 
 

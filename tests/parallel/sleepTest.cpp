@@ -4,6 +4,8 @@
 // Grains that sleep on several ranks: as on one, whatever the cut, with all asleep and with some.
 #include "rankedScene.hpp"
 
+#include "unit/nscd/scenes/pyramids.hpp"
+
 #include <gtest/gtest.h>
 
 using namespace scenes;
@@ -11,9 +13,9 @@ using namespace scenes;
 namespace
 {
 
-constexpr double deltaT = 1e-3, radius = 0.01;
+constexpr double deltaT = 1e-3, radius = pyramidRadius;
 constexpr int stepsToSleep = 112;
-constexpr int top = 3, roller = 8;   // identities: of the first pyramid's top, and of a grain that rolls for ever
+constexpr int top = pyramidTop, roller = pyramidRoller;   // identities
 
 int ranks()
 {
@@ -30,35 +32,6 @@ const std::vector<OwnerOf>& cuts()
         [](const Vec3&, std::int64_t id) { return static_cast<int>(id % ranks()); }
     };
     return all;
-}
-
-/// Two pyramids of four spheres far from each other; where asked for, a grain that rolls on the floor and meets nobody.
-Scene pyramids(bool withRoller)
-{
-    Scene scene(3, 0.5, 0.0);
-    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
-    for (double x : {0.0, 0.2})
-    {
-        for (int k = 0; k < 3; ++k)
-        {
-            const double angle = 2*M_PI*k/3, r = 2*radius/std::sqrt(3.0);
-            scene.addGrain(Vec3(x + r*std::cos(angle), r*std::sin(angle), radius), radius);
-        }
-        scene.addGrain(Vec3(x, 0, radius + 2*radius*std::sqrt(2.0/3.0)), radius);
-    }
-    if (!withRoller) return scene;
-    scene.addGrain(Vec3(0, 1, radius), radius);
-    scene.grains.velocity[roller] = Vec3(0.2, 0, 0);
-    scene.grains.omega[roller] = Vec3(0, 0.2/radius, 0);
-    return scene;
-}
-
-nscd::ContactSettings fine(bool sleep = true)
-{
-    nscd::ContactSettings settings;
-    settings.tolerance = 1e-6;
-    settings.sleep = sleep;
-    return settings;
 }
 
 /// Weight, and on one grain a force besides, in units of its weight.
@@ -106,7 +79,7 @@ void withSleepers(const Test& test)
     for (std::size_t k = 0; k < cuts().size(); ++k)
     {
         SCOPED_TRACE("cut " + std::to_string(k) + (withRoller ? " with a roller" : ""));
-        RankedScene scene(pyramids(withRoller), fine(), cuts()[k]);
+        RankedScene scene(pyramids(withRoller), fineEnoughToSleep(), cuts()[k]);
         const nscd::StepReport report = run(scene.dynamics(), stepsToSleep);
         ASSERT_EQ(report.asleep, 8u);
         EXPECT_EQ(report.solve.sweeps > 0, withRoller);
@@ -150,7 +123,9 @@ TEST(SleepOnRanks, whatWakesMovesLikeWhatNeverSlept)
 {
     withSleepers([](RankedScene& scene, bool withRoller)
     {
-        nscd::GrainDynamics never = pyramids(withRoller).build(fine(false));
+        nscd::ContactSettings settings = fineEnoughToSleep();
+        settings.sleep = false;
+        nscd::GrainDynamics never = pyramids(withRoller).build(settings);
         run(never, stepsToSleep);
         for (int k = 0; k < 40; ++k)
         {
@@ -188,7 +163,7 @@ TEST(SleepOnRanks, aHeldGrainThatIsDrivenWakesAll)
     scene.grains.isFixed[held] = 1;
     for (const OwnerOf& cut : cuts())
     {
-        RankedScene ranked(scene, fine(), cut);
+        RankedScene ranked(scene, fineEnoughToSleep(), cut);
         nscd::GrainDynamics& dynamics = ranked.dynamics();
         EXPECT_EQ(run(dynamics, stepsToSleep).asleep, 8u);
         const nscd::Grains& own = dynamics.grains();
@@ -208,7 +183,7 @@ TEST(SleepOnRanks, aStopAndItsContinuationDoTheSameToTheBit)
     withSleepers([](RankedScene& scene, bool withRoller)
     {
         run(scene.dynamics(), 5);
-        RankedScene other(pyramids(withRoller), fine(), cuts()[1]);
+        RankedScene other(pyramids(withRoller), fineEnoughToSleep(), cuts()[1]);
         double lastDeltaT = 0.0;
         const std::vector<nscd::StoredImpulse> impulses = scene.dynamics().checkpoint(lastDeltaT);
         other.dynamics().setGrains(scene.dynamics().grains());
@@ -228,7 +203,7 @@ TEST(SleepOnRanks, whatTouchesADrivenGrainStaysAwake)
     row.grains.omega[0] = Vec3(0, 0, 1);
     for (const OwnerOf& cut : cuts())
     {
-        RankedScene ranked(row, fine(), cut);
+        RankedScene ranked(row, fineEnoughToSleep(), cut);
         EXPECT_EQ(run(ranked.dynamics(), stepsToSleep).asleep, 3u);
     }
 }

@@ -190,6 +190,7 @@ bool GrainMapping::updateRows(std::vector<LocatedBall> balls)
 
     const WeightMatrix before = unmoved > 0 ? std::move(weights_) : WeightMatrix();
     weights_.clear();
+    weights_.shares.reserve(before.shares.size());
     covered_.resize(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i)
     {

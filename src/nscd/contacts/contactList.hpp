@@ -59,6 +59,7 @@ struct ContactList
     std::vector<int> wall;                  ///< wall region, or -1 for a pair of grains
     std::vector<std::array<signed char, 3>> image;  ///< periodic shift of body B, in periods
     std::vector<double> restitution;        ///< empty if no pair of materials has any
+    std::vector<Vec3> trialChange;          ///< what the last trial of forces made of the impulses [N s]; empty before the first one
     ListLaws laws;                          ///< beside Coulomb's; none in plain scenes
 
     GeneralBodies general;                  ///< empty in scenes without

@@ -35,7 +35,7 @@ struct ContactSettings
     double skin = 0.06;
     /// Anderson acceleration of slow solves.
     bool accelerate = true;
-    /// Whether grains at rest are left alone until something changes (on one rank only).
+    /// Whether grains at rest are left alone until something changes.
     bool sleep = true;
     /// Vector path of the sweep: auto, portable, AVX2, AVX512.
     std::string vectorPath = "auto";

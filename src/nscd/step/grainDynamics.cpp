@@ -71,7 +71,6 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
 {
     const auto timer = times.time(GrainPart::findPairs);
     shockImpulses.clear();
-    trialChange.clear();
     const bool areSomeAsleep = sleep.any();
     // Within a step laws act by the impulses at its start, whatever a solve has made of them since.
     const bool isWithinStep = isStepBegun && list.laws.areOfStart() && !areSomeAsleep;

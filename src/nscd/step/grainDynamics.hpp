@@ -76,11 +76,12 @@ public:
     /// Whether any contact could become active in this step; without, predict() need not be called.
     bool hasContacts() const;
 
-    /// Velocities and contact forces that the step would end with under `forces`, moving nothing.
+    /// Velocities and contact forces that the step would end with under `forces`, moving nothing. Wakes whom the step would wake.
     /// Errors: as advance()
     Prediction predict(const ExternalForces& forces);
 
-    /// As predict(), for forces that are not to come: the next solve starts from the impulses before this one.
+    /// As predict(), for forces that are not to come, on the contacts listed: the next solve starts from the impulses before this one, the
+    /// next trial from what this one found. Wakes nobody: who sleeps is held.
     Prediction tryForces(const ExternalForces& forces);
 
     /// Completes the step begun: free velocities, contact solve, motion, restitution, overlap correction.

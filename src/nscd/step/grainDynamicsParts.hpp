@@ -66,7 +66,6 @@ struct GrainDynamics::Implementation
     bool isStepBegun = false;
     bool isAnyDrivenAnew = false;    // of the held grains here, since the last step began
     ImpulseRecord beforeStep;     // kept where laws act by it
-    std::vector<Vec3> trialChange;  // by slot: what the last trial made of the impulses, where the next one starts; empty for another list
     ShockImpulses shockImpulses;  // of the last step
     ContactForces forces;
     ContactForceSum sumForces;

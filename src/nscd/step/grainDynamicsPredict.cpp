@@ -39,21 +39,19 @@ void setImpulses(ContactList& list, const SlotImpulses& kept)
 }
 
 /// A guess: what the last trial changed, on top of the impulses there are. Nothing pulls.
-void addChange(ContactList& list, const std::vector<Vec3>& change)
+void addTrialChange(ContactList& list)
 {
-    if (change.size() != list.slots()) return;
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    for (std::size_t slot = 0; slot < list.trialChange.size(); ++slot)
     {
-        const Vec3 guess = impulse(list, slot) + change[slot];
+        const Vec3 guess = impulse(list, slot) + list.trialChange[slot];
         setImpulse(list, slot, guess.dot(normal(list, slot)) > 0.0 ? guess : Vec3(Vec3::Zero()));
     }
 }
 
-std::vector<Vec3> changeOf(const ContactList& list, const SlotImpulses& before)
+void noteTrialChange(ContactList& list, const SlotImpulses& before)
 {
-    std::vector<Vec3> change(list.slots());
-    for (std::size_t slot = 0; slot < list.slots(); ++slot) change[slot] = impulse(list, slot) - before.r[slot];
-    return change;
+    list.trialChange.resize(list.slots());
+    for (std::size_t slot = 0; slot < list.slots(); ++slot) list.trialChange[slot] = impulse(list, slot) - before.r[slot];
 }
 
 } // namespace
@@ -97,9 +95,9 @@ Prediction GrainDynamics::tryForces(const ExternalForces& external)
     if (!self.isStepBegun) self.beginAwakeStep(false);
     // On the list as it is: nothing moves, so nothing can get past what is not listed.
     const SlotImpulses before = impulsesOf(self.list);
-    addChange(self.list, self.trialChange);
+    addTrialChange(self.list);
     Prediction prediction = self.predicted(self.solveOnce(external));
-    self.trialChange = changeOf(self.list, before);
+    noteTrialChange(self.list, before);
     setImpulses(self.list, before);
     return prediction;
 }

@@ -18,7 +18,6 @@ void GrainDynamics::Implementation::holdWholeList()
 
 void GrainDynamics::Implementation::cutAwakePart()
 {
-    trialChange.clear();
     sleep.wake(awakePart.sleepersBesideDriven(grains, sleep), awakePart.whole().halo);
     if (sleep.isWorthwhile()) list = awakePart.cut(sumForces, scene(), sleep, diameter, deltaT);
     else giveUpSleep();
@@ -27,7 +26,6 @@ void GrainDynamics::Implementation::cutAwakePart()
 void GrainDynamics::Implementation::giveUpSleep()
 {
     list = awakePart.release();
-    trialChange.clear();
     sleep = GrainSleep();
     // As at the start of the step.
     if (list.laws.areOfStart()) beforeStep = collectImpulses(list);

@@ -184,7 +184,6 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
     self.shockImpulses.clear();
-    self.trialChange.clear();
     self.stepsPerList = fewestStepsPerList;
     self.isListStale = true;
     self.isStepBegun = false;
@@ -208,7 +207,6 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.packing.note(0);
     self.list = ContactList();
     self.shockImpulses.clear();
-    self.trialChange.clear();
     self.stepsPerList = fewestStepsPerList;
     self.isListStale = true;
     self.isStepBegun = false;

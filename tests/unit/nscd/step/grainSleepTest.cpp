@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Grains at rest fall asleep, stay where they are, and wake in the step in which something changes, whether others are awake or not.
-#include "unit/nscd/scenes/scenes.hpp"
+#include "unit/nscd/scenes/pyramids.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,24 +11,7 @@ using namespace scenes;
 namespace
 {
 
-constexpr double deltaT = 1e-3, radius = 0.01;
-
-/// Two pyramids of four spheres, far from each other.
-Scene twoPyramids()
-{
-    Scene scene(3, 0.5, 0.0);
-    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
-    for (double x : {0.0, 0.2})
-    {
-        for (int k = 0; k < 3; ++k)
-        {
-            const double angle = 2*M_PI*k/3, r = 2*radius/std::sqrt(3.0);
-            scene.addGrain(Vec3(x + r*std::cos(angle), r*std::sin(angle), radius), radius);
-        }
-        scene.addGrain(Vec3(x, 0, radius + 2*radius*std::sqrt(2.0/3.0)), radius);
-    }
-    return scene;
-}
+constexpr double deltaT = 1e-3, radius = pyramidRadius;
 
 nscd::StepReport run(nscd::GrainDynamics& dynamics, int steps)
 {
@@ -37,31 +20,12 @@ nscd::StepReport run(nscd::GrainDynamics& dynamics, int steps)
     return report;
 }
 
-/// The pyramids and, where asked for, behind them in the list a grain that rolls on the floor for ever and meets nobody.
-Scene pyramids(bool withRoller)
-{
-    Scene scene = twoPyramids();
-    if (!withRoller) return scene;
-    scene.addGrain(Vec3(0, 1, radius), radius);
-    scene.grains.velocity.back() = Vec3(0.2, 0, 0);
-    scene.grains.omega.back() = Vec3(0, 0.2/radius, 0);
-    return scene;
-}
-
-/// Where something moves nothing is polished, and the noise of coarse solves keeps grains awake: so the tolerance is a fine one.
-nscd::ContactSettings fine()
-{
-    nscd::ContactSettings settings;
-    settings.tolerance = 1e-6;
-    return settings;
-}
-
 /// A pair of pyramids asleep; with the roller steps still solve something.
 struct Sleepers
 {
     nscd::GrainDynamics dynamics;
 
-    explicit Sleepers(bool withRoller) : dynamics(pyramids(withRoller).build(fine()))
+    explicit Sleepers(bool withRoller) : dynamics(pyramids(withRoller).build(fineEnoughToSleep()))
     {
         const nscd::StepReport report = run(dynamics, 200);
         EXPECT_EQ(report.asleep, 8u);
@@ -109,7 +73,7 @@ TEST(SleepOf, nothingSleepsWhereItIsSwitchedOffOrMoves)
 {
     nscd::ContactSettings settings;
     settings.sleep = false;
-    nscd::GrainDynamics awake = twoPyramids().build(settings);
+    nscd::GrainDynamics awake = pyramids(false).build(settings);
     EXPECT_EQ(run(awake, 200).asleep, 0u);
 
     Scene rolling(3, 0.5, 0.0);
@@ -164,9 +128,9 @@ TEST_P(Sleep, aKickWakesInTheSameStep)
 
 TEST(SleepOf, aGrainThatLandsWakesWhatItHits)
 {
-    Scene scene = twoPyramids();
+    Scene scene = pyramids(false);
     scene.addGrain(Vec3(0, 0, 0.25), radius);
-    nscd::GrainDynamics dynamics = scene.build(fine());
+    nscd::GrainDynamics dynamics = scene.build(fineEnoughToSleep());
     // It falls for 0.2 s; by then both pyramids sleep.
     std::size_t most = 0;
     double floorForce = 0.0, falling = 0.0;
@@ -203,7 +167,7 @@ TEST_P(Sleep, aMovedWallWakes)
         if (time > start) pose.translation() = Vec3(0, 0, 0.2*(time - start));
         return pose;
     });
-    nscd::GrainDynamics dynamics = scene.build(fine());
+    nscd::GrainDynamics dynamics = scene.build(fineEnoughToSleep());
     EXPECT_EQ(run(dynamics, 299).asleep, 8u);
     EXPECT_EQ(run(dynamics, 2).asleep, 0u);
     EXPECT_NEAR(dynamics.grains().velocity[0][2], 0.2, 1e-3);
@@ -227,7 +191,7 @@ TEST_P(Sleep, aHeldGrainThatIsDrivenWakes)
     Scene scene = pyramids(GetParam());
     scene.addGrain(Vec3(-3*radius, 0, radius), radius);
     scene.grains.isFixed.back() = 1;
-    nscd::GrainDynamics dynamics = scene.build(fine());
+    nscd::GrainDynamics dynamics = scene.build(fineEnoughToSleep());
     EXPECT_EQ(run(dynamics, 200).asleep, 8u);
     dynamics.drive(scene.grains.size() - 1, Vec3(0.5, 0, 0), Vec3::Zero());
     EXPECT_EQ(run(dynamics, 1).asleep, 0u);
@@ -239,7 +203,7 @@ TEST_P(Sleep, aHeldGrainThatIsDrivenWakes)
 
 TEST_P(Sleep, aGrainThatWakesMovesLikeOneThatNeverSlept)
 {
-    nscd::ContactSettings awake = fine();
+    nscd::ContactSettings awake = fineEnoughToSleep();
     awake.sleep = false;
     Sleepers sleepers(GetParam());
     nscd::GrainDynamics never = pyramids(GetParam()).build(awake);
@@ -264,7 +228,7 @@ TEST_P(Sleep, aStopAndItsContinuationDoTheSameToTheBit)
     const std::vector<nscd::StoredImpulse> impulses = dynamics.checkpoint(lastDeltaT);
     Scene again = pyramids(GetParam());
     again.grains = dynamics.grains();
-    nscd::GrainDynamics later = again.build(fine());
+    nscd::GrainDynamics later = again.build(fineEnoughToSleep());
     later.restore(impulses, lastDeltaT);
     for (int k = 0; k < 100; ++k)
     {
@@ -287,12 +251,6 @@ nscd::ExternalForces pushed(const nscd::Grains& grains, const Vec3& part)
     return forces;
 }
 
-void expectSame(const std::vector<Vec3>& found, const std::vector<Vec3>& expected)
-{
-    ASSERT_EQ(found.size(), expected.size());
-    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i], expected[i]) << i;
-}
-
 } // namespace
 
 TEST_P(Sleep, aPredictionLetsThemSleepAndKnowsTheirForces)
@@ -305,7 +263,7 @@ TEST_P(Sleep, aPredictionLetsThemSleepAndKnowsTheirForces)
     for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(prediction.velocity[i], Vec3(0, 0, 0));
     const nscd::StepReport report = dynamics.advance(still);
     EXPECT_EQ(report.asleep, 8u);
-    expectSame(prediction.contactForce, dynamics.contactForce());
+    EXPECT_EQ(prediction.contactForce, dynamics.contactForce());
     EXPECT_GT(prediction.contactForce[3][2], 0.99*gravity*dynamics.grains().mass[3]);
 }
 
@@ -331,15 +289,15 @@ TEST_P(Sleep, aTrialWakesNobodyAndLeavesNoTrace)
     EXPECT_EQ(trial.velocity[3], Vec3(0, 0, 0));
     EXPECT_EQ(tried.dynamics.advance(still).asleep, 8u);
     EXPECT_EQ(stepWith(others.dynamics, still).asleep, 8u);
-    expectSame(tried.dynamics.grains().position, others.dynamics.grains().position);
-    expectSame(tried.dynamics.contactForce(), others.dynamics.contactForce());
+    EXPECT_EQ(tried.dynamics.grains().position, others.dynamics.grains().position);
+    EXPECT_EQ(tried.dynamics.contactForce(), others.dynamics.contactForce());
 }
 
 // One that lies on sleeping grains, and is pushed while it is awake, moves beside held ones in the trial.
 TEST(SleepOf, aTrialMovesWhoIsAwake)
 {
     Scene scene = pyramids(true);
-    nscd::GrainDynamics dynamics = scene.build(fine());
+    nscd::GrainDynamics dynamics = scene.build(fineEnoughToSleep());
     run(dynamics, 200);
     nscd::ExternalForces forces = pushed(dynamics.grains(), Vec3::Zero());
     const double rolling = dynamics.grains().velocity[8][0];
