@@ -29,10 +29,23 @@ def steps(case, extra, count):
     return cost.cpu, Path(case.folder, "log.nscdDEMFoam").read_text()
 
 
-def addSteps(table, case, name, extra):
+def stepCost(case, extra):
+    """Milliseconds of the processor a step, and the log."""
     startUp, _ = steps(case, extra, 1)
     long, log = steps(case, extra, 1 + STEPS)
-    table.add(name, 1e3*(long - startUp)/STEPS, log.count("Solving for"), *timesOf(log, "ms"))
+    return 1e3*(long - startUp)/STEPS, log
+
+
+def addSteps(table, case, name, extra):
+    ms, log = stepCost(case, extra)
+    table.add(name, ms, log.count("Solving for"), *timesOf(log, "ms"))
+
+
+def addFluid(case):
+    """Still air, also in the state that the bed settled to without a fluid."""
+    case.fluid(1.2, 1.8e-5)
+    for name in ("U", "p_rgh"):
+        shutil.copy(Path(case.folder, "0", name), Path(case.folder, case.times()[-1]))
 
 
 def measure(table):
@@ -40,9 +53,7 @@ def measure(table):
     written = Path(case.folder, case.times()[-1])
     addSteps(table, case, "none", "fluid none;")
     hasFields = (written/"U").exists() or Path(case.folder, "0/U").exists()
-    case.fluid(1.2, 1.8e-5)
-    for name in ("U", "p_rgh"):
-        shutil.copy(Path(case.folder, "0", name), written)
+    addFluid(case)
     addSteps(table, case, "solved", "")
     print("fluid none: fields of the fluid %s" % ("there" if hasFields else "not even there"))
     case.remove()
@@ -52,4 +63,5 @@ def main():
     drawParts(Table("K2", ["fluid", "ms", "linearSolves"] + PARTS, larger=("ms",)).inRounds(measure), "K2", "fluid")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -18,10 +18,11 @@ grains    {{ type lattice; box (0 0 0) (0.044 0.01 0.06); count ({x} {y} {z}); d
 """
 
 
-def settledBox(folder, extra):
-    """The case, with its grains still in the lattice from which they drop; `extra` goes into grainProperties."""
-    case = BoxCase(folder, (0, 0, 0), (0.044, 0.01, 0.12), (22, 5, 60),
-                   {"xMin": "wall", "xMax": "wall", "yMin": "wall", "yMax": "wall", "zMin": "wall", "zMax": "patch"})
+def settledBox(folder, extra, sides=None):
+    """The case, with its grains still in the lattice from which they drop; `extra` goes into grainProperties, `sides` are those that are not
+    walls below an open top."""
+    walls = {"xMin": "wall", "xMax": "wall", "yMin": "wall", "yMax": "wall", "zMin": "wall", "zMax": "patch"}
+    case = BoxCase(folder, (0, 0, 0), (0.044, 0.01, 0.12), (22, 5, 60), {**walls, **(sides or {})})
     case.gravity((0, 0, -G))
     writeGrains(case, extra)
     return case

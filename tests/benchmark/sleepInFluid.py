@@ -40,7 +40,7 @@ def settle():
     for name in ("U", "p_rgh"):
         shutil.copy(Path(case.folder, "0", name), Path(case.folder, case.times()[-1]))
     writeGrains(case, "on")
-    case.control(DELTA_T, SETTLED)
+    case.control(DELTA_T, SETTLED, SETTLED - DRY)
     pinned("nscdDEMFoam", case.folder)
     return case
 
@@ -58,11 +58,15 @@ def window(case):
     return parts, (sweeps[1] - sweeps[0])/WINDOW, int(case.report()["asleep"][-1])
 
 
+def grainPart(parts):
+    """What of the parts of a step is the grains'."""
+    return sum(time for part, time in zip(PARTS, parts) if part not in ("solveFluid", "reportStep"))
+
+
 def addSteps(table, case, sleep):
     writeGrains(case, sleep)
     parts, sweeps, asleep = window(case)
-    ofFluid = sum(time for part, time in zip(PARTS, parts) if part in ("solveFluid", "reportStep"))
-    table.add(sleep, asleep, sweeps, sum(parts) - ofFluid, *parts)
+    table.add(sleep, asleep, sweeps, grainPart(parts), *parts)
 
 
 def main():
@@ -77,4 +81,5 @@ def main():
     case.remove()
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -136,7 +136,8 @@ std::vector<LocatedBall> GrainMapping::locate(const ::nscd::Grains& grains, cons
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         const Vec3 center = box.any() ? box.wrap(grains.position[i]) : grains.position[i];
-        cells_[i] = layout_->locator.find(center, cells_[i]);
+        const bool isThere = i < balls_.size() && balls_[i].center == center && balls_[i].cell == cells_[i];
+        if (!isThere) cells_[i] = layout_->locator.find(center, cells_[i]);
         balls[i] = {center, grains.radius[i], cells_[i]};
     }
     return balls;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // What leaving out saves, as CSV: each row a scene with a choice that the library makes by itself, or without. Milliseconds of the processor.
-// skips still BED | planar [PERSIDE] | smooth [PERSIDE] | cloud [PERSIDE] | kernels [PERSIDE] | rest BED [STEPS]
+// skips still BED | planar [PERSIDE] | smooth [PERSIDE] | sizes [PERSIDE] | cloud [PERSIDE] | kernels [PERSIDE] | rest BED [STEPS]
 #include "benchmark/partColumns.hpp"
 #include "benchmark/rankedBed/tiledBed.hpp"
 #include "unit/nscd/scenes/heaps.hpp"
@@ -98,6 +98,22 @@ void smooth(int perSide)
     }
 }
 
+/// A heap of spheres of one size, and of sizes that differ in the ninth digit: nothing is chosen by that.
+void sizes(int perSide)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (const double spread : {1e-9, 0.0})
+    {
+        Scene scene = heap(3, perSide, perSide, radius, 0.8, friction);
+        for (double& r : scene.grains.radius) r *= 1 + spread*unit(random);
+        nscd::ContactSettings settings;
+        settings.sleep = false;
+        auto dynamics = scene.build(settings);
+        measure("sizes", spread > 0.0 ? "sizes 1 +- 1e-9" : "one size", dynamics, scene.g, 100);
+    }
+}
+
 /// Grains of one size at random in a periodic box, none touching, with random velocities.
 Scene gas(int perSide, double fraction, double speed)
 {
@@ -182,6 +198,7 @@ int main(int argc, char** argv)
     if (what == "still") stillBed(argv[2]);
     else if (what == "planar") planar(number(2, 100));
     else if (what == "smooth") smooth(number(2, 22));
+    else if (what == "sizes") sizes(number(2, 22));
     else if (what == "cloud") cloud(number(2, 100));
     else if (what == "rest") rest(argv[2], number(3, 100000));
     else return 1;
