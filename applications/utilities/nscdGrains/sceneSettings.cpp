@@ -35,7 +35,7 @@ void readShape(const CheckedEntries& top, SceneSettings& scene)
 
     const Vec3 usual = scene.isPlanar() ? Vec3(0, -9.81, 0) : Vec3(0, 0, -9.81);
     scene.gravity = top.vec("gravity", input::unit::acceleration, usual);
-    if (scene.isPlanar() && scene.gravity.z() != 0.0) top.reject("gravity", "points out of the plane of discs", "a vector (x y 0)");
+    if (scene.isPlanar() && scene.gravity.z() != 0.0) top.reject("gravity", "points out of the plane of the grains", "a vector (x y 0)");
 }
 
 constexpr double maxSteps = 1e12;   // times must tell steps apart

@@ -75,36 +75,36 @@ void sampleRow(const WeightMatrix& weights, const label row, const Cells& cells,
 
 } // namespace
 
-GrainMapping::Layout::Layout(const fvMesh& fvMesh, const scalar largestRadius, const scalar largestSolidFraction)
+GrainMapping::Layout::Layout(const fvMesh& fvMesh, const scalar largestRadius, const scalar largestSolidFraction, const bool areDiscs)
 :
     mesh(makeMappingMesh(fvMesh, largestRadius)),
     reach(largestRadius),
     exchange(mesh),
     locator(mesh, fvMesh),
-    tools{mesh, locator, BallCellOverlap(mesh)},
+    tools{mesh, locator, BallCellOverlap(mesh, areDiscs), areDiscs},
     redistribution(mesh, exchange, largestSolidFraction)
 {}
 
-GrainMapping::GrainMapping(const fvMesh& mesh, const dictionary& dict, const scalar largestRadius)
+GrainMapping::GrainMapping(const fvMesh& mesh, const dictionary& dict, const scalar largestRadius, const int grainDimensions)
 :
     mesh_(mesh),
     method_(readVoidFractionMethod(dict)),
     largestSolidFraction_(readLargestSolidFraction(dict)),
+    grainDimensions_(grainDimensions > 0 ? grainDimensions : mesh.nGeometricD()),
     smoother_(mesh, readDiffusionLength(dict)),
-    layout_(new Layout(mesh, largestRadius, largestSolidFraction_)),
+    layout_(new Layout(mesh, largestRadius, largestSolidFraction_, grainDimensions_ == 2)),
     solidFraction_(mesh.nCells(), Zero)
 {}
 
 void GrainMapping::checkDimensions(const ::nscd::Grains& grains) const
 {
     const MappingMesh& mesh = layout_->mesh;
-    const int dimensions = mesh.is2D() ? 2 : 3;
-    if (grains.shape.dimensions != dimensions)
+    if (grains.shape.dimensions != grainDimensions_)
     {
         FatalErrorInFunction
-            << "the mesh has " << dimensions << " dimensions, the grains have " << grains.shape.dimensions << exit(FatalError);
+            << "grains of " << grainDimensions_ << " dimensions are mapped, these have " << grains.shape.dimensions << exit(FatalError);
     }
-    if (mesh.is2D() && mag(grains.shape.thickness/mesh.thickness - 1) > 1e-6)
+    if (grainDimensions_ == 2 && mag(grains.shape.thickness/mesh.thickness - 1) > 1e-6)
     {
         FatalErrorInFunction
             << "the mesh is " << mesh.thickness << " m thick, the discs are " << grains.shape.thickness << " m long"
@@ -123,7 +123,7 @@ void GrainMapping::growHalo(const ::nscd::Grains& grains)
     largest = layout_->exchange.max(largest);
     if (largest > layout_->reach)
     {
-        layout_.reset(new Layout(mesh_, largest, largestSolidFraction_));
+        layout_.reset(new Layout(mesh_, largest, largestSolidFraction_, grainDimensions_ == 2));
         balls_.clear();
         isBuilt_ = false;
     }

@@ -74,11 +74,11 @@ std::vector<Vec3> discPoints(const int emptyAxis)
     return points;
 }
 
-const std::vector<Vec3>& samplePoints(const int emptyAxis)
+const std::vector<Vec3>& samplePoints(const bool areDiscs, const int emptyAxis)
 {
     static const std::vector<Vec3> ball = ballPoints();
     static const std::vector<Vec3> discs[] = {discPoints(0), discPoints(1), discPoints(2)};
-    return emptyAxis < 0 ? ball : discs[emptyAxis];
+    return areDiscs ? discs[emptyAxis] : ball;
 }
 
 void addToCell(const label cell, const scalar share, const std::size_t rowStart, std::vector<CellShare>& shares)
@@ -94,16 +94,16 @@ void addToCell(const label cell, const scalar share, const std::size_t rowStart,
     shares.push_back({cell, share});
 }
 
-// 33 sample points of equal weight (19 in 2D), each given to the cell it lies in.
+// 33 sample points of equal weight (19 for discs), each given to the cell it lies in.
 scalar satelliteShares(ShareTools& tools, const LocatedBall& ball, std::vector<CellShare>& shares)
 {
-    const std::vector<Vec3>& points = samplePoints(tools.mesh.emptyAxis);
+    const std::vector<Vec3>& points = samplePoints(tools.areDiscs, tools.mesh.emptyAxis);
     const std::size_t rowStart = shares.size();
     const scalar weight = 1.0/scalar(points.size());
     std::size_t nInside = 0;
     for (const Vec3& point : points)
     {
-        const label cell = tools.locator.walkThroughCyclic(ball.cell, ball.center + ball.radius*point).cell;
+        const label cell = tools.locator.walkThroughCyclic(ball.cell, tools.mesh.inPlane(ball.center + ball.radius*point)).cell;
         if (cell >= 0)
         {
             addToCell(cell, weight, rowStart, shares);

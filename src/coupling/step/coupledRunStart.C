@@ -78,7 +78,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     debt_(memory_.add(dragDebt)),
     lastContactForce_(memory_.add(contactForce)),
     fluidForce_(memory_.add(fluidForce)),
-    ownWake_(correctsOwnWake(properties_, scene_.space.shape.dimensions) ? &memory_.add(ownWakeOfGrain) : nullptr),
+    ownWake_(correctsOwnWake(properties_, scene_.space.shape) ? &memory_.add(ownWakeOfGrain) : nullptr),
     ownStressShare_(ownStressShare(properties_.forces)),
     log_(time, Info, properties_.solvesFluid)
 {
@@ -145,7 +145,7 @@ void CoupledRun::startFluid()
     {
         const GrainTotals totals = sumGrains(grains, *ranks_.exchange());
         const dictionary voidFraction = properties_.voidFraction.forMapping(totals.diameterMean);
-        immersion_->mapping = std::make_unique<GrainMapping>(mesh_, voidFraction, 0.5*totals.diameterMax);
+        immersion_->mapping = std::make_unique<GrainMapping>(mesh_, voidFraction, 0.5*totals.diameterMax, scene_.space.shape.dimensions);
     }
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();

@@ -20,7 +20,7 @@ std::vector<DrivenGroup> readDriven(const CheckedEntries& top, int emptyAxis);
 void holdDriven(const std::vector<DrivenGroup>& groups, nscd::Grains& grains, const nscd::Exchange& exchange = {}, bool mayHaveLeft = false);
 
 /// Drives all groups through the time from .. to [s] (nscd::drive).
-/// Errors: InputError for values that are not finite and motion out of the plane of discs
+/// Errors: InputError for values that are not finite and motion out of the plane of the grains
 void driveGrains(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, double from, double to);
 
 } // namespace input

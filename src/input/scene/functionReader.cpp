@@ -23,7 +23,7 @@ bool isName(const Token& token) { return token.kind == Token::Kind::word && std:
 
 bool isOneOf(const std::string& word, const Words& words) { return std::find(words.begin(), words.end(), word) != words.end(); }
 
-/// As (x y 0), or (0 0 z) for what stands on the plane of discs.
+/// As (x y 0), or (0 0 z) for what stands on the plane of the grains.
 std::string vectorForm(int emptyAxis, bool isInPlane)
 {
     std::string form = "(";
@@ -192,13 +192,13 @@ nscd::VectorOfTime readChecked(const CheckedEntries& given, const std::string& k
 void checkInPlane(const CheckedEntries& given, const std::string& keyword, const Vec3& value, int emptyAxis)
 {
     if (emptyAxis < 0 || value[emptyAxis] == 0.0) return;
-    given.reject(keyword, "leaves the plane of discs", vectorForm(emptyAxis, true));
+    given.reject(keyword, "leaves the plane of the grains", vectorForm(emptyAxis, true));
 }
 
 void checkNormalToPlane(const CheckedEntries& given, const std::string& keyword, const Vec3& value, int emptyAxis)
 {
     if (emptyAxis < 0 || (value - value[emptyAxis]*Vec3::Unit(emptyAxis)).isZero(0.0)) return;
-    given.reject(keyword, "turns out of the plane of discs", vectorForm(emptyAxis, false));
+    given.reject(keyword, "turns out of the plane of the grains", vectorForm(emptyAxis, false));
 }
 
 nscd::ScalarOfTime readScalarFunction(const CheckedEntries& given, const std::string& keyword)

@@ -23,7 +23,7 @@ nscd::VectorOfTime readVectorFunction(const CheckedEntries& given, const std::st
 /// As the latter for what turns about its vector: in scenes of discs it has no component in their plane.
 nscd::VectorOfTime readSpinFunction(const CheckedEntries& given, const std::string& keyword, int emptyAxis);
 
-/// Refuses a vector out of the plane of discs, and one that turns out of it. (emptyAxis < 0: spheres)
+/// Refuses a vector out of the plane of the grains, and one that turns out of it. (emptyAxis < 0: none)
 void checkInPlane(const CheckedEntries& given, const std::string& keyword, const Vec3& value, int emptyAxis);
 void checkNormalToPlane(const CheckedEntries& given, const std::string& keyword, const Vec3& value, int emptyAxis);
 

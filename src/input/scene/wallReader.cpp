@@ -83,7 +83,7 @@ void addPolygon(const CheckedEntries& given, const Surroundings& around, Scene& 
     {
         if (vertices.size() != 2)
         {
-            given.reject("vertices", "is no wall in the plane of discs", "two vertices with grains to the left, as ((0 0 0) (1 0 0))");
+            given.reject("vertices", "is no wall in the plane of the grains", "two vertices with grains to the left, as ((0 0 0) (1 0 0))");
         }
         vertices = uprightPolygon(vertices[0], vertices[1], emptyAxis);
     }
@@ -94,7 +94,7 @@ void addPolygon(const CheckedEntries& given, const Surroundings& around, Scene& 
 
 const Words sideNames = {"xMin", "xMax", "yMin", "yMax", "zMin", "zMax"};
 
-/// The sides of a box that can be walls: those across periodic axes and the plane of discs cannot.
+/// The sides of a box that can be walls: those across periodic axes and the plane of the grains cannot.
 Words usableSides(const Surroundings& around)
 {
     Words sides;
@@ -138,7 +138,7 @@ void checkSize(const CheckedEntries& given, const std::vector<nscd::Triangle>& t
     }
 }
 
-/// In 2D a surface that goes through the plane of discs; what faces along it is not felt.
+/// In 2D a surface that goes through the plane of the grains; what faces along it is not felt.
 void addSurface(const CheckedEntries& given, const Surroundings& around, Scene& scene, int patch)
 {
     const std::string path = around.pathOfSurface(given.text("file"));

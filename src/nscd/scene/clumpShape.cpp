@@ -42,7 +42,7 @@ bool haveOverlap(const std::vector<Ball>& members)
     return false;
 }
 
-/// The axis along which all discs lie at the same place; that of the scene where it has one.
+/// The axis along which all members lie at the same place; that of the scene where it has one.
 int flatAxis(const std::vector<Ball>& discs, const GrainShape& shape)
 {
     for (int axis = 2; axis >= 0; --axis)
@@ -52,7 +52,7 @@ int flatAxis(const std::vector<Ball>& discs, const GrainShape& shape)
         for (const Ball& disc : discs) isFlat = isFlat && std::abs(disc.center[axis] - discs[0].center[axis]) <= roundOff*disc.radius;
         if (isFlat) return axis;
     }
-    throw invalidValue("plane of a clump's discs", "none", "one normal to a coordinate axis, to the empty one where the scene has one");
+    throw invalidValue("plane of a clump's members", "none", "one normal to a coordinate axis, to the empty one where the scene has one");
 }
 
 /// Members that do not overlap: kappa m R^2 about their own centers, with the axes of Steiner's theorem.
@@ -129,6 +129,12 @@ void checkInertia(const Eigen::Matrix3d& inertia, const GrainShape& shape)
     }
 }
 
+/// Discs, and spheres in a plane.
+void checkFlat(const std::vector<Ball>& members, const GrainShape& shape)
+{
+    if (shape.dimensions == 2 || shape.emptyAxis >= 0) flatAxis(members, shape);
+}
+
 ClumpShape centered(ClumpShape clump)
 {
     for (Ball& member : clump.members) member.center -= clump.massCenter;
@@ -140,6 +146,7 @@ ClumpShape centered(ClumpShape clump)
 ClumpShape makeClumpShape(std::vector<Ball> members, double density, const GrainShape& shape)
 {
     checkMembers(members);
+    checkFlat(members, shape);
     if (!(density > 0.0) || !std::isfinite(density)) throw invalidValue("density of a clump", density, "a finite value > 0 kg/m3");
     return centered(shape.dimensions == 2 ? discShape(std::move(members), density, shape) : ballShape(std::move(members), density, shape));
 }
@@ -150,7 +157,7 @@ ClumpShape makeClumpShape
 )
 {
     checkMembers(members);
-    if (shape.dimensions == 2) flatAxis(members, shape);
+    checkFlat(members, shape);
     if (!(mass > 0.0) || !std::isfinite(mass)) throw invalidValue("mass of a clump", mass, "a finite value > 0 kg");
     if (!massCenter.allFinite()) throw invalidValue("mass center of a clump", "not finite", "finite coordinates [m]");
     checkInertia(inertia, shape);

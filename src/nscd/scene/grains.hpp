@@ -19,10 +19,11 @@ struct GrainShape
 {
     /// 3: spheres, kappa = 2/5. 2: discs (cylinders of length `thickness`), kappa = 1/2.
     int dimensions = 3;
-    /// Length of a disc along the empty direction [m]; not used in 3D.
+    /// Length of a disc along the empty direction [m]; not used for spheres.
     double thickness = 1.0;
-    /// 2D: 0, 1 or 2, the axis that nothing moves along; walls then get no velocity and no normal along it, to the last bit (else
-    /// round-off of triangulated walls grows), and walls that face along it are not felt. -1: walls are exact without that.
+    /// 0, 1 or 2: the axis that nothing moves along, for discs, or spheres with their centers in a plane; walls then get no velocity and no
+    /// normal along it, to the last bit (else round-off of triangulated walls grows), and walls that face along it are not felt.
+    /// -1: space, or a plane whose walls are exact without that.
     int emptyAxis = -1;
 
     double inertiaFactor() const { return dimensions == 2 ? 0.5 : 0.4; }

@@ -45,7 +45,7 @@ void GrainDynamics::Implementation::fitStepsPerList()
 void GrainDynamics::Implementation::chooseKernelsOfStep()
 {
     const int axis = grains.shape.emptyAxis;
-    const bool isPlanar = isFrictional && grains.shape.dimensions == 2 && axis >= 0 && isInPlane(list, axis);
+    const bool isPlanar = isFrictional && axis >= 0 && isInPlane(list, axis);
     kernelsOfStep = isPlanar ? planar(kernels, axis) : kernels;
 }
 

@@ -31,8 +31,8 @@ void checkMotion(const Vec3& velocity, const Vec3& omega, int emptyAxis)
     if (emptyAxis < 0) return;
     Vec3 inPlane = omega;
     inPlane[emptyAxis] = 0.0;
-    if (velocity[emptyAxis] != 0.0) throw invalidValue("velocity of driven grains", velocity.transpose(), "no way out of the plane of discs");
-    if (!inPlane.isZero(0.0)) throw invalidValue("omega of driven grains", omega.transpose(), "no turning out of the plane of discs");
+    if (velocity[emptyAxis] != 0.0) throw invalidValue("velocity of driven grains", velocity.transpose(), "no way out of the plane of the grains");
+    if (!inPlane.isZero(0.0)) throw invalidValue("omega of driven grains", omega.transpose(), "no turning out of the plane of the grains");
 }
 
 } // namespace

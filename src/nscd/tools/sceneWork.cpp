@@ -12,9 +12,8 @@ namespace nscd
 
 std::string describeWork(const Materials& materials, const GrainShape& shape, const ContactSettings& settings)
 {
-    const bool isPlanar = shape.dimensions == 2 && shape.emptyAxis >= 0;
     std::string work = chooseKernels(settings.vectorPath.c_str()).name;
-    work += !actsOnSpins(materials) ? ", normal impulses only" : isPlanar ? ", discs in a plane" : ", friction";
+    work += !actsOnSpins(materials) ? ", normal impulses only" : shape.emptyAxis < 0 ? ", friction" : shape.dimensions == 2 ? ", discs in a plane" : ", spheres in a plane";
     for (const ContactLawRow* law : lawsInUse(materials)) work += ", " + std::string(law->words);
     work += materials.anyRestitution() ? ", restitution" : ", no restitution pass";
     if (settings.sleep) work += ", grains at rest may sleep";

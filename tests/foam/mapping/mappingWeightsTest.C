@@ -123,6 +123,42 @@ TEST(mappingWeights, sharesOfDiscsAgreeWithSampling)
     }
 }
 
+/// A layer of 4 x 4 cells that just holds spheres of 0.8 m radius, empty across or with walls there.
+BoxMeshSettings layer(const word& across, const bool isShaken)
+{
+    BoxMeshSettings settings = unitCells(labelVector(4, 4, 1), {"wall", "wall", "wall", "wall", across, across});
+    settings.max.z() = 1.6;
+    if (isShaken) shake(settings, 0.2, true);
+    return settings;
+}
+
+// On faces and on a corner, too, where the sum of cones takes over.
+TEST(mappingWeights, spheresOnA2DMeshHaveTheSharesOfA3DOne)
+{
+    const std::vector<Vec3> positions =
+        {Vec3(1.6, 2.1, 0.8), Vec3(0.2, 0.3, 0.8), Vec3(2, 1.7, 0.8), Vec3(2, 2, 0.8), Vec3(0, 0, 0.8), Vec3(2.3, 4, 0.8), Vec3(1.5, 1.5, 0.8)};
+    for (const bool isShaken : {false, true})
+    {
+        BoxMesh flat(layer("empty", isShaken)), full(layer("wall", isShaken));
+        const ::nscd::Grains grains = makeGrains(positions, 0.8);
+        for (const char* method : methods)
+        {
+            GrainMapping mapping(flat.mesh(), mappingDict(method), 0.8, 3);
+            mapping.update(grains, {});
+            GrainMapping expected(full.mesh(), mappingDict(method));
+            EXPECT_NEAR(mapping.report().lostOutside, expected.update(grains, {}).lostOutside, 1e-12*::nscd::totalVolume(grains)) << method;
+            EXPECT_NEAR(mapping.report().volumeDeposited/::nscd::totalVolume(grains), 1, 1e-12) << method;
+            for (label i = 0; i < label(positions.size()); ++i)
+            {
+                for (label cellI = 0; cellI < flat.mesh().nCells(); ++cellI)
+                {
+                    EXPECT_NEAR(shareIn(mapping.weights(), i, cellI), shareIn(expected.weights(), i, cellI), 1e-12) << method << " sphere " << i;
+                }
+            }
+        }
+    }
+}
+
 // Catalog C26: whatever the place, in the open, at walls, corners, faces, edges, cell corners and through cyclic borders.
 void expectConservation(const BoxMeshSettings& settings, const std::vector<Vec3>& positions, const scalar radius)
 {

@@ -361,7 +361,11 @@ std::string solvers(const std::string& pressure, const std::string& velocity)
 
 } // namespace
 
-TEST(Program, keepsDiscsInTheirPlane)
+namespace
+{
+
+/// Grains that fall into a slanted vessel one cell thick, full of water.
+ProgramCase flatVessel(const std::string& shape)
 {
     BoxMeshSettings box = programBox();
     box.cells = labelVector(5, 8, 1);
@@ -369,10 +373,10 @@ TEST(Program, keepsDiscsInTheirPlane)
     box.patchTypes = {"wall", "wall", "wall", "patch", "empty", "empty"};
     box.movePoint = [](const point& x) { return point(x.x() + 0.2*x.y(), x.y() - 0.1*x.x(), x.z()); };
     const std::string flat = "\"(front|back)\" { type empty; } \"(left|right|bottom)\" ";
-    const ProgramCase c
+    return ProgramCase
     ({
         {"constant/grainProperties",
-            "materials { glass { density 2500; } } contacts { default { friction 0.3; } } grains { type lattice; "
+            shape + "materials { glass { density 2500; } } contacts { default { friction 0.3; } } grains { type lattice; "
             "box (0.03 0 0) (0.1 0.15 0.02); count (4 9 1); diameter 0.0155; spread 0.03; jitter 0.5; velocity (0.1 -0.5 0); } patches { top { type exit; } }"},
         {"constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);"},
         {"0/U", "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { " + flat
@@ -381,6 +385,10 @@ TEST(Program, keepsDiscsInTheirPlane)
             "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { " + flat
           + "{ type fixedFluxPressure; value uniform 0; } top { type fixedValue; value uniform 0; } }"}
     }, "endTime 0.03;", box);
+}
+
+void expectMotionInThePlane(const ProgramCase& c)
+{
     EXPECT_TRUE(succeeds(c.run()));
     EXPECT_GT(c.reported("0", "contacts").back(), 4);
     vector across(Zero);
@@ -391,6 +399,22 @@ TEST(Program, keepsDiscsInTheirPlane)
         across.y() = max(across.y(), mag(spin.y()));
     }
     EXPECT_EQ(across, vector(Zero));
+}
+
+} // namespace
+
+TEST(Program, keepsDiscsInTheirPlane)
+{
+    expectMotionInThePlane(flatVessel(""));
+}
+
+TEST(Program, keepsSpheresInTheirPlane)
+{
+    const ProgramCase c = flatVessel("shape sphere; ");
+    expectMotionInThePlane(c);
+    const std::vector<double> volume = c.reported("0", "solidVolume"), error = c.reported("0", "momentumError");
+    EXPECT_NEAR(volume.back()/c.reported("0", "grainVolume").back(), 1, 1e-9);
+    EXPECT_LT(*std::max_element(error.begin(), error.end()), 1e-6);
 }
 
 TEST(Program, stopsAtSchemesThatAreMissingOrUnknown)

@@ -73,14 +73,16 @@ void writeMix(const ProgramCase& c)
 
 } // namespace
 
-// Drag on one grain in the first step, F = A/2 rho Cd U_s^2 of a table with Cd = 3 at every Re: of 1/(1 + k/2) to the order of the step.
-TEST(DragInRuns, aTableGivesItsForce)
+namespace
 {
-    const ProgramCase c
-    (
-        Files{{"constant/grainProperties", head + "feedback off; grains { type table; file \"grain.txt\"; velocity (0 0 -0.2); } "
-            "forces { drag { law table; table \"cd.txt\"; } pressureGradient off; viscous off; spinDrag off; }"}}, firstStep
-    );
+
+/// Drag on one sphere in the first step, F = A/2 rho Cd U_s^2 of a table with Cd = 3 at every Re: of 1/(1 + k/2) to the order of the step.
+void expectForceOfTable(const std::string& shape, const Files& fields, const BoxMeshSettings& box)
+{
+    Files files = fields;
+    files["constant/grainProperties"] = shape + head + "feedback off; grains { type table; file \"grain.txt\"; velocity (0 0 -0.2); } "
+        "forces { drag { law table; table \"cd.txt\"; } pressureGradient off; viscous off; spinDrag off; }";
+    const ProgramCase c(files, firstStep, box);
     std::ofstream(c.path("constant/grain.txt")) << "0.0375 0.0375 0.0875 0.004\n";
     std::ofstream(c.path("constant/cd.txt")) << "1 1 3\n1000 1 3\n";
     ASSERT_TRUE(succeeds(c.run()));
@@ -88,6 +90,29 @@ TEST(DragInRuns, aTableGivesItsForce)
     const double d = 4e-3, pi = std::acos(-1.0), volume = pi*d*d*d/6, buoyancy = 1000*volume*9.81;
     const double drag = 0.5*1000*3*pi/4*d*d*0.2*0.2;
     EXPECT_NEAR((force.z() - buoyancy)/drag, 1, 0.02);
+}
+
+} // namespace
+
+TEST(DragInRuns, aTableGivesItsForce)
+{
+    expectForceOfTable("", Files(), programBox());
+}
+
+TEST(DragInRuns, spheresInAPlaneFeelTheForceOfSpheres)
+{
+    BoxMeshSettings box = programBox();
+    box.cells.y() = 1;
+    box.patchTypes[2] = box.patchTypes[3] = "empty";
+    const std::string open = "\"(bottom|top)\" { type empty; } back { ";
+    const Files fields =
+    {
+        {"0/U", "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { \"(left|right|front)\" { type noSlip; } " + open
+          + "type inletOutlet; inletValue uniform (0 0 0); value uniform (0 0 0); } }"},
+        {"0/p_rgh", "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { \"(left|right|front)\" { type fixedFluxPressure; "
+            "value uniform 0; } " + open + "type fixedValue; value uniform 0; } }"}
+    };
+    expectForceOfTable("shape sphere; ", fields, box);
 }
 
 // The mean diameter of a cell is made of grains of all ranks: the forces are those of one rank, to what the pressure solver leaves.

@@ -201,7 +201,11 @@ TEST(Ranks, shareAPeriodicBox)
     expectSameMotion(alone, together, 8);
 }
 
-TEST(Ranks, shareDiscs)
+namespace
+{
+
+/// Discs or spheres one cell deep, on one rank and on three.
+void expectSameInAPlane(const std::string& shape)
 {
     BoxMeshSettings box = programBox();
     box.cells = labelVector(6, 6, 1);
@@ -209,7 +213,7 @@ TEST(Ranks, shareDiscs)
     box.patchTypes = {"wall", "wall", "wall", "wall", "empty", "empty"};
     Files files = dryFiles
     (
-        glass + "grains { type lattice; box (0 0 0) (0.1 0.15 0.02); count (6 9 1); diameter 0.0155; spread 0.03; jitter 0.5; "
+        shape + glass + "grains { type lattice; box (0 0 0) (0.1 0.15 0.02); count (6 9 1); diameter 0.0155; spread 0.03; jitter 0.5; "
         "velocity (0.1 -0.5 0); }"
     );
     files["constant/g"] = "dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);";
@@ -227,6 +231,18 @@ TEST(Ranks, shareDiscs)
         EXPECT_LT(difference(alone, together, force, steps), 0.01*largest(alone.reported("0", "wallForceY"))) << axis;
     }
     EXPECT_EQ(difference(alone, together, "massCenterZ", steps), 0);
+}
+
+} // namespace
+
+TEST(Ranks, shareDiscs)
+{
+    expectSameInAPlane("");
+}
+
+TEST(Ranks, shareSpheresInAPlane)
+{
+    expectSameInAPlane("shape sphere; ");
 }
 
 TEST(Ranks, takeOutGrainsThatLeaveAndGoOnWithoutAny)

@@ -110,8 +110,8 @@ inline std::vector<Wrong> wrongInputs()
             {"keyword grains.file names a file that does not exist", "grain.txt", "nearest: grains.txt"}},
         {"overlappingGrains", "diameter 0.01", "diameter 0.03", 9, {"keyword maxInitialOverlap is exceeded by", "overlap by"}},
         {"grainsBehindAWall", "walls     { tray { type box; box (0 0 0)", "walls     { tray { type box; box (0.03 0 0)", 9, {"and the wall tray overlap"}},
-        {"velocityOutOfPlane", "spread 0.2;", "velocity (0 0 1);", 3, {"keyword grains.velocity leaves the plane of discs", "(x y 0)"}, Space::discs},
-        {"spinOutOfPlane", "spread 0.2;", "omega (1 0 0);", 3, {"keyword grains.omega turns out of the plane of discs", "(0 0 z)"}, Space::discs}
+        {"velocityOutOfPlane", "spread 0.2;", "velocity (0 0 1);", 3, {"keyword grains.velocity leaves the plane of the grains", "(x y 0)"}, Space::discs},
+        {"spinOutOfPlane", "spread 0.2;", "omega (1 0 0);", 3, {"keyword grains.omega turns out of the plane of the grains", "(0 0 z)"}, Space::discs}
     };
 }
 

@@ -43,7 +43,7 @@ inline std::vector<Wrong> wrongWalls()
         {"planeOfUnknownMaterial", "planes    { ", "planes    { lid { point (0 0 1); normal (0 0 -1); material stel; } ", 6, {"keyword planes.lid.material", "nearest: steel"}},
         {"misspeltPoint", "planes    { ", "planes    { lid { pont (0 0 1); normal (0 0 -1); } ", 6, {"keyword planes.lid.pont", "point is missing", "nearest: point"}},
         {"planeAcrossAPeriod", "planes    { ", "planes    { p { point (0 0 0); normal (0 1 0); } ", 6, {"keyword planes.p.normal points along a periodic axis"}, Space::periodicY},
-        {"planeOutOfPlane", "planes    { ", "planes    { p { point (0 0 0); normal (0 0 1); } ", 6, {"keyword planes.p.normal leaves the plane of discs"}, Space::discs},
+        {"planeOutOfPlane", "planes    { ", "planes    { p { point (0 0 0); normal (0 0 1); } ", 6, {"keyword planes.p.normal leaves the plane of the grains"}, Space::discs},
         ofPlane("sidesOfAPlane", "sides three;", {"keyword walls.p.sides", "allowed: one, both"}),
         ofPlane("torquePointThatIsNone", "torquePoint 1;", {"keyword walls.p.torquePoint is not a vector"}),
         ofPolygon("polygonOfTwo", "((0 0 0) (1 0 0))", {"keyword walls.p.vertices has too few vertices"}),
@@ -104,9 +104,9 @@ inline std::vector<Wrong> wrongMotions()
             " omega 1; } } ", 6, {"keyword planes.p.motion.axis turns a plane towards a periodic axis"}, Space::periodicY},
         ofPlane("discsTurnedOver", "motion { type rotation; origin (0 0 0); axis (1 0 0); omega 1; }", {"keyword walls.p.motion.axis turns out of the plane"}, Space::discs),
         ofPlane("discsLeftBehind", "motion { type translation; velocity table ((0 (0 0 0)) (1 (0 0 1))); }",
-            {"keyword walls.p.motion.velocity leaves the plane of discs"}, Space::discs),
-        ofPlane("discsShakenOff", "motion { type oscillation; amplitude (0 0 1); frequency 1; }", {"keyword walls.p.motion.amplitude leaves the plane of discs"}, Space::discs),
-        ofPlane("beltOutOfPlane", "surfaceVelocity (0 0 1);", {"keyword walls.p.surfaceVelocity leaves the plane of discs"}, Space::discs),
+            {"keyword walls.p.motion.velocity leaves the plane of the grains"}, Space::discs),
+        ofPlane("discsShakenOff", "motion { type oscillation; amplitude (0 0 1); frequency 1; }", {"keyword walls.p.motion.amplitude leaves the plane of the grains"}, Space::discs),
+        ofPlane("beltOutOfPlane", "surfaceVelocity (0 0 1);", {"keyword walls.p.surfaceVelocity leaves the plane of the grains"}, Space::discs),
         ofPlane("turntableOutOfPlane", "surfaceRotation { origin (0 0 0); axis (0 1 0); omega 1; }",
             {"keyword walls.p.surfaceRotation.axis turns out of the plane"}, Space::discs),
         ofDriven("drivenWithoutIds", "a { velocity (0 0 1); }", {"keyword driven.a.ids is missing"}),
@@ -123,9 +123,9 @@ inline std::vector<Wrong> wrongMotions()
         ofDriven("noIds", "a { ids (); velocity (0 0 1); }", {"keyword driven.a.ids is not a list of numbers"}),
         ofDriven("wrongNumberOfIds", "a { ids 3 (1 2); velocity (0 0 1); }", {"keyword driven.a.ids is not a list of numbers"}),
         ofDriven("drivenKeyword", "a { ids (1); velocity (0 0 1); spin (0 0 1); }", {"keyword driven.a.spin is not a keyword here"}),
-        ofDriven("drivenOutOfPlane", "a { ids (1); velocity (0 0 1); }", {"keyword driven.a.velocity leaves the plane of discs"}, Space::discs),
+        ofDriven("drivenOutOfPlane", "a { ids (1); velocity (0 0 1); }", {"keyword driven.a.velocity leaves the plane of the grains"}, Space::discs),
         ofDriven("drivenSpinOutOfPlane", "a { ids (1); velocity (0 1 0); omega table ((0 (0 0 1)) (1 (1 0 0))); }",
-            {"keyword driven.a.omega turns out of the plane of discs"}, Space::discs)
+            {"keyword driven.a.omega turns out of the plane of the grains"}, Space::discs)
     };
 }
 

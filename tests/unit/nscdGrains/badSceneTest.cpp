@@ -91,7 +91,7 @@ const Wrong badScenes[] =
     {"unknownAxis", "periodic  { }", "periodic  { w (0 1); }", 6, {"keyword periodic.w is not a keyword here", "allowed: x, y, z"}},
     {"oneDimension", "gravity ", "dimensions 1; gravity ", 11, {"keyword dimensions is out of range"}},
     {"thicknessOfSpheres", "gravity ", "thickness 1; gravity ", 11, {"keyword thickness is for discs"}},
-    {"gravityOutOfPlane", "gravity ", "dimensions 2; gravity ", 11, {"keyword gravity points out of the plane of discs"}},
+    {"gravityOutOfPlane", "gravity ", "dimensions 2; gravity ", 11, {"keyword gravity points out of the plane of the grains"}},
     {"hugeTime", "endTime   0.09", "endTime   1e300", 9, {"keyword endTime is too large"}},
     {"stepInMeters", "deltaT    1e-3", "deltaT    [0 1 0 0 0 0 0] 1e-3", 8, {"keyword deltaT has wrong dimensions", "[0 0 1 0 0 0 0]"}}
 };

@@ -140,11 +140,12 @@ GrainProperties readAll(const dictionary& dict, input::Surroundings around)
     top.found("variables");
     GrainProperties properties;
     properties.solvesFluid = top.choice("fluid", {"solved", "none"}, "solved") == "solved";
+    properties.shape = top.choice("shape", {"sphere", "disc"}, "");
+    properties.shapePlace = top.place("shape");
+    around.shape = chosenShape(around.shape, properties.shape);
     input::readScene(top, around, properties);
     readPatches(top, properties, around.shape.emptyAxis);
     properties.hasWalls = !top.subOrEmpty("walls").entries.empty();
-    properties.shape = top.choice("shape", {"sphere", "disc"}, "");
-    properties.shapePlace = top.place("shape");
     properties.maxLoadImbalance = readMaxLoadImbalance(top, properties.maxLoadImbalance);
     readCoupling(top, around, properties);
     top.finish();
@@ -182,10 +183,17 @@ dictionary GrainProperties::meanFlowDict() const
 }
 
 
-bool correctsOwnWake(const GrainProperties& properties, int dimensions)
+::nscd::GrainShape chosenShape(::nscd::GrainShape byMesh, const std::string& word)
+{
+    if (word == "sphere") byMesh.dimensions = 3;
+    return byMesh;
+}
+
+
+bool correctsOwnWake(const GrainProperties& properties, const ::nscd::GrainShape& shape)
 {
     const ForceSettings& forces = properties.forces;
-    return properties.solvesFluid && properties.hasFeedback && forces.isOn("drag") && forces.drag.correctsOwnWake && dimensions == 3;
+    return properties.solvesFluid && properties.hasFeedback && forces.isOn("drag") && forces.drag.correctsOwnWake && shape.emptyAxis < 0;
 }
 
 

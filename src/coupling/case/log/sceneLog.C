@@ -32,7 +32,7 @@ string describeGrains(const GrainTotals& grains, const nscd::GrainShape& shape)
     return formatted
     (
         "%lld %s, diameter %.4g to %.4g m, volume %.6g m3",
-        static_cast<long long>(grains.number), shape.dimensions == 2 ? "discs" : "spheres",
+        static_cast<long long>(grains.number), shape.dimensions == 2 ? "discs" : shape.emptyAxis < 0 ? "spheres" : "spheres in a plane",
         grains.diameterMin, grains.diameterMax, grains.volume
     );
 }
@@ -52,14 +52,14 @@ bool areWallsUnseen(const GrainProperties& properties)
     return properties.solvesFluid && !properties.walls.patches.empty();
 }
 
-string describeFluid(const GrainProperties& properties, int dimensions)
+string describeFluid(const GrainProperties& properties, const nscd::GrainShape& shape)
 {
     if (!properties.solvesFluid) return "none";
     return formatted
     (
         "solved, feedback %s; drag %s%s%s; void fraction %s",
         properties.hasFeedback ? "on" : "off", properties.forces.drag.law.c_str(), properties.forces.drag.isPolydisperse ? ", polydisperse" : "",
-        correctsOwnWake(properties, dimensions) ? ", corrected for the own wake of lone grains" : "", properties.voidFraction.method.c_str()
+        correctsOwnWake(properties, shape) ? ", corrected for the own wake of lone grains" : "", properties.voidFraction.method.c_str()
     );
 }
 
@@ -101,7 +101,7 @@ void logScene
         "%s, tolerance %.3g, at most %d sweeps, %s", contact.solver.c_str(), contact.tolerance, contact.maxSweeps,
         nscd::describeWork(properties.materials.table, scene.space.shape, contact).c_str()
     ));
-    line("fluid", describeFluid(properties, scene.space.shape.dimensions));
+    line("fluid", describeFluid(properties, scene.space.shape));
     const string missing = forcesOfFluidAlone(properties);
     if (!missing.empty()) line("", missing + " off: the fluid loses momentum that no grain gets, which momentumError counts");
     for (const string& patch : inflow) line("inflow", patch);

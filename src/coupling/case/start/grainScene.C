@@ -82,7 +82,7 @@ GrainScene makeGrainScene(const GrainProperties& properties, const polyMesh& mes
 {
     checkTimeControls(mesh.time());
     GrainScene scene;
-    scene.space = grainSpace(mesh);
+    scene.space = grainSpace(properties, mesh);
     checkShape(properties, mesh);
     checkGravity(gravity, scene.space, mesh.time());
     scene.roles = assignPatchRoles(properties, mesh);
@@ -106,13 +106,15 @@ nscd::Grains makeFirstGrains
         homes.keepOwn(batch);
         appendGrains(grains, batch);
     };
-    const input::Surroundings around = surroundingsIn(mesh);
+    input::Surroundings around = surroundingsIn(mesh);
+    around.shape = scene.space.shape;
     const input::PlacementTools tools = {scene.space.midPlane, foamRandom, readFoamPositions, grainsInBatch};
     toldByFoam([&] { input::placeGrains(properties, around, tools, keep); });
     homes.checkNoneOutside();
     const std::vector<int> used = usedMaterials(grains, properties.materials.table.size(), exchange);
     toldByFoam([&] { input::checkPairs(properties.materials, used, scene.walls); });
     checkPeriods(scene.box, grains, mesh);
+    checkThickness(properties, scene.space, grains);
     checkOverlaps(grains, scene, properties, exchange);
     return grains;
 }

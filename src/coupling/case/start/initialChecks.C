@@ -28,6 +28,9 @@ namespace
 
 using nscd::Overlap;
 
+/// What a mesh's thickness is off by round-off of its points, over it.
+constexpr scalar roundOff = 1e-9;
+
 /// The worst few overlaps of each rank. Collective.
 std::vector<input::DescribedOverlap> gathered(const std::vector<input::DescribedOverlap>& here)
 {
@@ -173,6 +176,18 @@ void checkPeriods(const nscd::PeriodicBox& box, const nscd::Grains& grains, cons
 {
     const double diameter = returnReduce(input::largestDiameter(grains), maxOp<scalar>());
     toldByFoam([&] { input::checkPeriods(box, diameter, placeInFile(mesh.boundaryMesh().objectPath(), "cyclic")); });
+}
+
+
+void checkThickness(const GrainProperties& properties, const GrainSpace& space, const nscd::Grains& grains)
+{
+    const scalar diameter = returnReduce(input::largestDiameter(grains), maxOp<scalar>());
+    if (space.emptyAxis < 0 || space.shape.dimensions == 2 || diameter <= (1 + roundOff)*space.shape.thickness) return;
+    fail
+    ({
+        properties.shapePlace, messageText("has spheres up to ", diameter, " m on a mesh ", space.shape.thickness, " m thick"), properties.shape,
+        "disc, or a mesh at least as thick as the spheres"
+    });
 }
 
 

@@ -265,11 +265,8 @@ nscd::GrainShape grainShape(const polyMesh& mesh)
 
 void checkShape(const GrainProperties& properties, const polyMesh& mesh)
 {
-    const bool is3D = emptyAxis(mesh) < 0;
-    const std::string fitting = is3D ? "sphere" : "disc";
-    if (properties.shape.empty() || properties.shape == fitting) return;
-    const std::string why = is3D ? "is for 2D meshes, and this mesh is 3D" : "is for 3D meshes, and this mesh is 2D";
-    fail({properties.shapePlace, why, properties.shape, fitting});
+    if (properties.shape != "disc" || emptyAxis(mesh) >= 0) return;
+    fail({properties.shapePlace, "is for 2D meshes, and this mesh is 3D", properties.shape, "sphere"});
 }
 
 
@@ -289,10 +286,10 @@ nscd::PeriodicBox periodicBox(const polyMesh& mesh)
 }
 
 
-GrainSpace grainSpace(const polyMesh& mesh)
+GrainSpace grainSpace(const GrainProperties& properties, const polyMesh& mesh)
 {
     GrainSpace space;
-    space.shape = grainShape(mesh);
+    space.shape = chosenShape(grainShape(mesh), properties.shape);
     space.emptyAxis = space.shape.emptyAxis;
     if (space.emptyAxis >= 0) space.midPlane = mesh.bounds().centre()[space.emptyAxis];
     return space;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Exact overlap of a ball (in 2D a disc) with the cells of a mesh.
+// Exact overlap of a ball or, in 2D, a disc with the cells of a mesh.
 #include "coupling/mapping/overlap/ballCellOverlap.H"
 #include "coupling/mapping/overlap/ballFaceExcess.H"
 
@@ -33,15 +33,33 @@ Eigen::Vector2d onPlane(const Vec3& x, const int emptyAxis)
 
 } // namespace
 
-BallCellOverlap::BallCellOverlap(const MappingMesh& mesh)
+BallCellOverlap::BallCellOverlap(const MappingMesh& mesh, const bool areDiscs)
 :
     mesh_(mesh),
+    areDiscs_(areDiscs),
     reachedOf_(mesh.nCells(), 0)
 {}
 
 bool BallCellOverlap::isCrossed(const label face, const Vec3& center) const
 {
     return mesh_.faceBox[face].squaredExteriorDistance(center) < radius_*radius_;
+}
+
+// An edge of a 2D mesh, drawn out along the empty axis beyond the ball.
+std::array<Vec3, 4> BallCellOverlap::strip(const FacePiece& piece) const
+{
+    const Vec3 along = 2*radius_*Vec3::Unit(mesh_.emptyAxis);
+    const Vec3& a = mesh_.vertices[piece.firstVertex];
+    const Vec3& b = mesh_.vertices[piece.firstVertex + 1];
+    return {a - along, b - along, b + along, a + along};
+}
+
+scalar BallCellOverlap::pieceExcess(const FacePiece& piece, const Vec3& center) const
+{
+    const Vec3* v = &mesh_.vertices[piece.firstVertex];
+    if (!mesh_.is2D()) return ballFaceExcess(center, radius_, v, piece.nVertices, piece.normal);
+    if (!areDiscs_) return ballFaceExcess(center, radius_, strip(piece).data(), 4, piece.normal);
+    return discEdgeExcess(onPlane(center, mesh_.emptyAxis), radius_, onPlane(v[0], mesh_.emptyAxis), onPlane(v[1], mesh_.emptyAxis));
 }
 
 scalar BallCellOverlap::excess(const label face, const Vec3& center)
@@ -56,15 +74,23 @@ scalar BallCellOverlap::excess(const label face, const Vec3& center)
             continue;
         }
         centerOnFace_ = centerOnFace_ || std::abs(height) < onFace*radius_;
-        const Vec3* v = &mesh_.vertices[piece.firstVertex];
-        sum += mesh_.is2D()
-            ? discEdgeExcess
-              (
-                  onPlane(center, mesh_.emptyAxis), radius_, onPlane(v[0], mesh_.emptyAxis), onPlane(v[1], mesh_.emptyAxis)
-              )
-            : ballFaceExcess(center, radius_, v, piece.nVertices, piece.normal);
+        sum += pieceExcess(piece, center);
     }
     return sum;
+}
+
+// A strip without end fills the solid angle 2 theta, theta the angle of its edge: Q = E + 2/3 R^3 theta, and 0 where the center lies on it.
+scalar BallCellOverlap::pieceCone(const FacePiece& piece, const Vec3& center) const
+{
+    const Vec3* v = &mesh_.vertices[piece.firstVertex];
+    if (!mesh_.is2D()) return closures::ballFaceContribution(center, radius_, v, piece.nVertices, piece.normal);
+    const Eigen::Vector2d c = onPlane(center, mesh_.emptyAxis), a = onPlane(v[0], mesh_.emptyAxis), b = onPlane(v[1], mesh_.emptyAxis);
+    if (areDiscs_) return closures::discEdgeContribution(c, radius_, a, b);
+    const scalar height = std::abs(piece.offset - piece.normal.dot(center));
+    if (height < onFace*radius_) return 0;
+    const Eigen::Vector2d p = a - c, q = b - c;
+    const scalar angle = std::atan2(p[0]*q[1] - p[1]*q[0], p.dot(q));
+    return 2.0/3*radius_*radius_*radius_*angle + (height < radius_ ? pieceExcess(piece, center) : 0);
 }
 
 scalar BallCellOverlap::coneVolume(const label face, const Vec3& center) const
@@ -72,14 +98,7 @@ scalar BallCellOverlap::coneVolume(const label face, const Vec3& center) const
     scalar sum = 0;
     for (label pieceI = mesh_.pieceStart[face]; pieceI < mesh_.pieceStart[face + 1]; ++pieceI)
     {
-        const FacePiece& piece = mesh_.pieces[pieceI];
-        const Vec3* v = &mesh_.vertices[piece.firstVertex];
-        sum += mesh_.is2D()
-            ? closures::discEdgeContribution
-              (
-                  onPlane(center, mesh_.emptyAxis), radius_, onPlane(v[0], mesh_.emptyAxis), onPlane(v[1], mesh_.emptyAxis)
-              )
-            : closures::ballFaceContribution(center, radius_, v, piece.nVertices, piece.normal);
+        sum += pieceCone(mesh_.pieces[pieceI], center);
     }
     return sum;
 }
@@ -199,7 +218,7 @@ scalar BallCellOverlap::appendShares
 )
 {
     radius_ = radius;
-    ballVolume_ = mesh_.is2D() ? M_PI*radius*radius : 4.0/3*M_PI*radius*radius*radius;
+    ballVolume_ = areDiscs_ ? M_PI*radius*radius : 4.0/3*M_PI*radius*radius*radius;
     reachCells(mesh_.inPlane(center), cell);
     if (!isTrusted())
     {
