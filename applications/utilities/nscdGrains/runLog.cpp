@@ -22,6 +22,7 @@ constexpr double secondsPerLine = 1.0;
 
 std::string describeGrains(const nscd::Grains& grains)
 {
+    if (grains.size() == 0) return "none";
     const auto range = std::minmax_element(grains.radius.begin(), grains.radius.end());
     const char* const kind = grains.shape.dimensions == 2 ? "discs" : "spheres";
     return formatted("%zu %s, diameter %.4g to %.4g m, volume %.6g m3", grains.size(), kind, 2**range.first, 2**range.second, totalVolume(grains));
@@ -51,6 +52,23 @@ std::string movingText(const SceneSettings& scene)
     return text;
 }
 
+/// A line for each source that lets grains in.
+std::string enteringText(const SceneSettings& scene)
+{
+    std::string text;
+    for (const nscd::EntrySource& entry : scene.entries)
+    {
+        text += formatted("  entering  %s, diameter %.4g to %.4g m, by %s\n", entry.name.c_str(), entry.sizes.smallest, entry.sizes.largest, entry.isMass ? "mass" : "number");
+    }
+    return text;
+}
+
+std::string describeEntries(const nscd::EntryState& state)
+{
+    const auto count = [](std::int64_t number) { return static_cast<long long>(number); };
+    return formatted("%lld entered, %.6g kg; %lld wait, %.6g kg", count(state.entered), state.enteredMass, count(state.waiting()), state.waitingMass());
+}
+
 std::string describePeriods(const nscd::PeriodicBox& box)
 {
     std::string text;
@@ -76,6 +94,7 @@ void RunLog::scene(const SceneSettings& scene, const nscd::Grains& grains, const
     const nscd::ContactSettings& contact = scene.contact;
     os_ << "Scene " << scene.file << '\n'
         << "  grains    " << describeGrains(grains) << '\n'
+        << enteringText(scene)
         << "  walls     " << describeWalls(scene.walls) << '\n'
         << movingText(scene)
         << "  periodic  " << describePeriods(scene.box) << '\n'
@@ -122,6 +141,7 @@ void RunLog::step(const StepRow& row, std::int64_t number, bool isWritten)
         )
         << progress(row.time) << (isWritten ? ", written" : "");
     if (row.report.asleep > 0) os_ << "; " << row.report.asleep << " asleep";
+    if (row.entries.due > 0) os_ << "; " << describeEntries(row.entries);
     if (atCapSinceLine_ > 0) os_ << "; " << atCapSinceLine_ << " steps at the cap since the last line";
     os_ << std::endl;
     atCapSinceLine_ = 0;
@@ -133,7 +153,7 @@ void RunLog::timing(const char* name, double seconds) const
     os_ << formatted("  %-16s %12.3f %8.1f %% %12.4f\n", name, seconds, 100*seconds/total, steps_ > 0 ? 1e3*seconds/steps_ : 0.0);
 }
 
-void RunLog::finish(const nscd::StepTimes& times, double output)
+void RunLog::finish(const nscd::StepTimes& times, double output, const nscd::GrainEntry& entry)
 {
     const double total = elapsed();
     os_ << "\nTiming\n" << formatted("  %-16s %12s %10s %12s\n", "part", "seconds", "share", "ms/step");
@@ -147,7 +167,9 @@ void RunLog::finish(const nscd::StepTimes& times, double output)
         << formatted("  sweeps per step        %.4g\n", steps_ > 0 ? sweeps_/steps_ : 0.0)
         << formatted("  worst overlap          %.3g d, before its correction %.3g d\n", worstOverlap_, worstUncorrectedOverlap_)
         << formatted("  worst force error      %.3g\n", worstForceError_)
-        << warnings_.lines() << std::flush;
+        << warnings_.lines();
+    for (std::size_t s = 0; s < entry.sources().size(); ++s) os_ << "  " << entry.sources()[s].name << ": " << describeEntries(entry.states()[s]) << '\n';
+    os_ << std::flush;
 }
 
 } // namespace nscdGrains

@@ -27,7 +27,7 @@ public:
     void step(const StepRow& row, std::int64_t number, bool isWritten);
 
     /// Where the time went: parts of the library's steps, output in seconds, and the rest.
-    void finish(const nscd::StepTimes& times, double output);
+    void finish(const nscd::StepTimes& times, double output, const nscd::GrainEntry& entry);
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <numeric>
 
 namespace nscdGrains
 {
@@ -38,6 +39,18 @@ double nextTime(double time, double deltaT)
     return std::abs(onGrid - next) < 1e-6*deltaT ? onGrid : next;
 }
 
+/// States of a scene's sources by their names, since a scene may list them in another order; those of new ones are empty.
+std::vector<nscd::EntryState> entryStates(const SceneSettings& scene, const nscd::SceneState& state)
+{
+    std::vector<nscd::EntryState> states(scene.entries.size());
+    for (std::size_t s = 0; s < states.size(); ++s)
+    {
+        const auto name = std::find(state.entryNames.begin(), state.entryNames.end(), scene.entries[s].name);
+        if (name != state.entryNames.end()) states[s] = state.entries[name - state.entryNames.begin()];
+    }
+    return states;
+}
+
 class SceneRun
 {
 public:
@@ -49,6 +62,7 @@ public:
         time_(start.time),
         step_(start.step),
         forces_(nscd::gravityForces(start.grains, scene.gravity, scene.run.deltaT)),
+        entry_(scene.entries, scene.shape, scene.box, entryStates(scene, start), start.nextId),
         log_(os, start.time, scene.run.endTime),
         grainSeries_(results.grainSeries()),
         contactSeries_(results.contactSeries()),
@@ -70,7 +84,7 @@ public:
     void run()
     {
         while (isBefore(time_, scene_.run.endTime, scene_.run.deltaT)) advance();
-        log_.finish(dynamics_.times(), output_);
+        log_.finish(dynamics_.times(), output_, entry_);
     }
 
 private:
@@ -85,6 +99,7 @@ private:
         const double deltaT = scene_.run.deltaT;
         const double next = nextTime(time_, deltaT);
         dynamics_.setTime(time_);
+        letIn(next);
         input::driveGrains(scene_.driven, dynamics_, time_, next);
         dynamics_.beginStep(deltaT);
         const nscd::StepReport report = dynamics_.advance(forces_);
@@ -99,6 +114,12 @@ private:
         log_.step(row, step_, isWritten);
     }
 
+    /// Nothing where no source lets grains in.
+    void letIn(double next)
+    {
+        if (entry_.enter(dynamics_, next)) forces_ = nscd::gravityForces(dynamics_.grains(), scene_.gravity, scene_.run.deltaT);
+    }
+
     bool isWriteTime(double next) const
     {
         const double deltaT = scene_.run.deltaT;
@@ -111,6 +132,8 @@ private:
         const nscd::Grains& grains = dynamics_.grains();
         StepRow row{time_, scene_.run.deltaT, grains.size(), report, nscd::kineticEnergy(grains), nscd::massCenter(grains), Vec3::Zero()};
         for (const Vec3& force : dynamics_.wallForce()) row.wallForce += force;
+        row.mass = std::accumulate(grains.mass.begin(), grains.mass.end(), 0.0);
+        row.entries = nscd::totalOf(entry_.states());
         return row;
     }
 
@@ -135,6 +158,9 @@ private:
         writeContacts();
         nscd::SceneState state = nscd::takeState(dynamics_, time_, step_);
         state.materials = scene_.materials.table.names();
+        state.nextId = entry_.nextId();
+        state.entries = entry_.states();
+        for (const nscd::EntrySource& source : entry_.sources()) state.entryNames.push_back(source.name);
         nscd::writeCheckpoint(results_.full(results_.state(step_)), state);
         if (scene_.run.purgeWrite > 0) results_.purgeStates(static_cast<std::size_t>(scene_.run.purgeWrite));
     }
@@ -144,6 +170,7 @@ private:
     double time_;
     std::int64_t step_;
     nscd::ExternalForces forces_;
+    nscd::GrainEntry entry_;
     RunLog log_;
     std::unique_ptr<nscd::FolderLock> lock_;
     double output_ = 0.0;
@@ -159,6 +186,7 @@ nscd::SceneState newStart(const SceneSettings& scene)
     nscd::SceneState state;
     state.grains = placeGrains(scene);
     checkGrains(scene, state.grains);
+    state.nextId = static_cast<std::int64_t>(state.grains.size());
     return state;
 }
 

@@ -11,6 +11,7 @@
 #include "input/start/placement.hpp"
 #include "input/start/startChecks.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace nscdGrains
@@ -74,8 +75,15 @@ void readPeriodic(const CheckedEntries& top, SceneSettings& scene)
 
 void checkMaterialsAndPeriods(const SceneSettings& scene, const nscd::Grains& grains)
 {
-    input::checkPairs(scene.materials, input::usedMaterials(grains), scene.walls);
-    input::checkPeriods(scene.box, input::largestDiameter(grains), scene.periodicPlace);
+    std::vector<int> materials = input::usedMaterials(grains);
+    double largest = input::largestDiameter(grains);
+    for (const nscd::EntrySource& entry : scene.entries)
+    {
+        materials.push_back(entry.material);
+        largest = std::max(largest, entry.sizes.largest);
+    }
+    input::checkPairs(scene.materials, materials, scene.walls);
+    input::checkPeriods(scene.box, largest, scene.periodicPlace);
 }
 
 void checkOverlaps(const SceneSettings& scene, const nscd::Grains& grains, const nscd::Walls& walls, double maxShare)
@@ -96,6 +104,7 @@ input::Surroundings SceneSettings::surroundings() const
     input::Surroundings around;
     around.shape = shape;
     around.box = box;
+    around.hasEntries = true;
     around.pathOfGrains = around.pathOfSurface = [this](const std::string& path) { return pathOf(path); };
     return around;
 }
@@ -110,7 +119,7 @@ SceneSettings parseScene(const std::string& text, const std::string& file)
     scene.run = readRun(top);
     readPeriodic(top, scene);
     input::readScene(top, scene.surroundings(), scene);
-    if (scene.sources.empty()) throw InputError({top.place("grains"), "names no source of grains", "", "grains { type lattice; ... }"});
+    if (scene.sources.empty() && scene.entries.empty()) throw InputError({top.place("grains"), "names no source of grains", "", "grains { type lattice; ... }"});
     nscd::moveWalls(scene.walls, 0.0);
     top.finish();
     return scene;

@@ -41,7 +41,12 @@ const Column columns[] =
     {"forceError", "1", [](const StepRow& r) { return r.report.solve.forceError; }},
     {"overlapUncorrected", "diameters", [](const StepRow& r) { return r.report.overlapUncorrected; }},
     {"atCap", "1", [](const StepRow& r) { return double(r.report.solve.atCap); }},
-    {"asleep", "1", [](const StepRow& r) { return double(r.report.asleep); }}
+    {"asleep", "1", [](const StepRow& r) { return double(r.report.asleep); }},
+    {"mass", "kg", [](const StepRow& r) { return r.mass; }},
+    {"entered", "1", [](const StepRow& r) { return double(r.entries.entered); }},
+    {"enteredMass", "kg", [](const StepRow& r) { return r.entries.enteredMass; }},
+    {"waiting", "1", [](const StepRow& r) { return double(r.entries.waiting()); }},
+    {"waitingMass", "kg", [](const StepRow& r) { return r.entries.waitingMass(); }}
 };
 
 template<class Text>

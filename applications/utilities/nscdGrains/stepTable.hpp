@@ -8,6 +8,7 @@
 
 #include "nscd/base/vec3.hpp"
 #include "nscd/scene/stepReport.hpp"
+#include "nscd/tools/grainEntry.hpp"
 
 namespace nscdGrains
 {
@@ -22,6 +23,8 @@ struct StepRow
     double kineticEnergy = 0.0;                         ///< [J]
     nscd::Vec3 massCenter = nscd::Vec3::Zero();         ///< [m]
     nscd::Vec3 wallForce = nscd::Vec3::Zero();          ///< of the grains on all walls [N]
+    double mass = 0.0;                                  ///< of all grains [kg]
+    nscd::EntryState entries = {};                      ///< of all sources that let grains in
 };
 
 class StepTable

@@ -7,6 +7,7 @@
 #include "input/dictionary/checkedEntries.hpp"
 
 #include "nscd/tools/drivenGrains.hpp"
+#include "nscd/tools/grainEntry.hpp"
 #include "nscd/tools/sceneParts.hpp"
 
 namespace input
@@ -63,6 +64,7 @@ struct Scene
     std::vector<Place> wallPlaces;     ///< of their patches
     Words notes;                       ///< what the log should say of them
     std::vector<GrainSource> sources;
+    std::vector<nscd::EntrySource> entries;
     std::vector<DrivenGroup> driven;
     double maxInitialOverlap = 0.01;   ///< in diameters of the smaller grain
     Place overlapPlace;
@@ -84,6 +86,7 @@ struct Surroundings
     int nRanks = 1;
     bool sleepsByDefault = true;       ///< grains at rest, where `sleep` is not given
     bool hasClumps = true;
+    bool hasEntries = false;           ///< whether grains can enter during a run
 
     bool isEmpty(int axis) const { return axis == shape.emptyAxis; }
 };

@@ -5,6 +5,7 @@
 #include "input/scene/sourceReader.hpp"
 
 #include "input/scene/clumpReader.hpp"
+#include "input/scene/entryReader.hpp"
 #include "input/scene/functionReader.hpp"
 #include "input/scene/materialReader.hpp"
 
@@ -99,6 +100,17 @@ GrainSource readSource(const Dictionary& dict, const MaterialTable& materials, c
     return source;
 }
 
+/// A source at the start, or one during the run where the program has them.
+void addSource(const Dictionary& dict, const std::string& name, const Surroundings& around, const std::string& usualMotion, Scene& scene)
+{
+    const CheckedEntries given(dict);
+    Words types = {"positionsFile", "table", "lattice"};
+    if (around.hasEntries) types.push_back("entering");
+    if (given.choice("type", types) != "entering") scene.sources.push_back(readSource(dict, scene.materials, around, usualMotion.c_str()));
+    else if (usualMotion == "fixed") given.reject("type", "lets grains in that motion fixed would hold", "motion fixed; in the sources that are to be held");
+    else scene.entries.push_back(readEntry(dict, name, scene.materials, around));
+}
+
 } // namespace
 
 void readSources(const CheckedEntries& top, const Surroundings& around, Scene& scene)
@@ -111,7 +123,7 @@ void readSources(const CheckedEntries& top, const Surroundings& around, Scene& s
     const CheckedEntries named(grains);
     if (grains.find("type") && !named.isDictionary("type"))
     {
-        scene.sources.push_back(readSource(grains, scene.materials, around, motion.c_str()));
+        addSource(grains, "grains", around, motion, scene);
         return;
     }
     for (const Entry& entry : grains.entries)
@@ -122,7 +134,7 @@ void readSources(const CheckedEntries& top, const Surroundings& around, Scene& s
             const std::string allowed = "grains { type lattice; ... }, or one dictionary for each source";
             throw InputError({named.place(entry.keyword), "stands in grains without a type", "", allowed});
         }
-        scene.sources.push_back(readSource(*entry.dict, scene.materials, around, motion.c_str()));
+        addSource(*entry.dict, entry.keyword, around, motion, scene);
     }
 }
 

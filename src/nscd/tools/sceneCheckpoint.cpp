@@ -15,9 +15,10 @@ namespace
 {
 
 constexpr char kind[] = "nscdScen";
-constexpr std::uint64_t version = 2;
+constexpr std::uint64_t version = 3;
 
 static_assert(sizeof(Vec3) == 3*sizeof(double) && sizeof(Quaternion) == 4*sizeof(double), "vectors are written as plain numbers");
+static_assert(sizeof(EntryState) == 3*sizeof(std::int64_t) + 2*sizeof(double), "states of sources are written as they lie in memory");
 static_assert(sizeof(StoredImpulse) == 2*sizeof(std::int64_t) + 2*sizeof(Vec3), "impulses are written as they lie in memory");
 
 /// What is no array.
@@ -30,6 +31,7 @@ struct Numbers
     std::int64_t dimensions;
     double thickness;
     std::int64_t emptyAxis;
+    std::int64_t nextId;
 };
 
 /// Names as one text, each ended by a zero byte.
@@ -144,12 +146,17 @@ SceneState takeState(GrainDynamics& dynamics, double time, std::int64_t step)
 void writeCheckpoint(const std::string& path, const SceneState& state)
 {
     const GrainShape& shape = state.grains.shape;
-    const Numbers numbers = {state.grains.size(), state.step, state.time, state.lastDeltaT, shape.dimensions, shape.thickness, shape.emptyAxis};
+    const Numbers numbers =
+    {
+        state.grains.size(), state.step, state.time, state.lastDeltaT, shape.dimensions, shape.thickness, shape.emptyAxis, state.nextId
+    };
     SectionFileWriter file(path, kind, version);
     file.section("numbers", std::vector<Numbers>(1, numbers));
     file.section("materials", joined(state.materials));
     forEachNamedArray(state.grains, [&](const char* name, const auto& values) { file.section(name, values); });
     writeClumps(file, state.grains.clumps);
+    file.section("entryNames", joined(state.entryNames));
+    file.section("entries", state.entries);
     file.section("impulses", state.impulses);
     file.complete();
 }
@@ -159,11 +166,13 @@ SceneState readCheckpoint(const std::string& path)
     SectionFileReader file(path, kind, version);
     SceneState state;
     std::vector<Numbers> numbers;
-    std::vector<char> materials;
+    std::vector<char> materials, entryNames;
     file.section("numbers", numbers);
     file.section("materials", materials);
     forEachNamedArray(state.grains, [&](const char* name, auto& values) { file.section(name, values); });
     StoredClumps clumps = readClumps(file);
+    file.section("entryNames", entryNames);
+    file.section("entries", state.entries);
     file.section("impulses", state.impulses);
     file.finish();
 
@@ -181,6 +190,9 @@ SceneState readCheckpoint(const std::string& path)
     state.lastDeltaT = numbers[0].lastDeltaT;
     state.step = numbers[0].step;
     state.materials = split(materials);
+    state.nextId = numbers[0].nextId;
+    state.entryNames = split(entryNames);
+    if (state.entryNames.size() != state.entries.size()) file.refuse("without the names of some sources");
     return state;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "nscd/step/grainDynamics.hpp"
+#include "nscd/tools/grainEntry.hpp"
 
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ struct SceneState
     double time = 0.0;                       ///< [s]
     std::int64_t step = 0;                   ///< steps made since the scene began
     std::vector<std::string> materials;      ///< names, for whoever reads them in another order
+    std::int64_t nextId = 0;                 ///< identity of the next grain that enters
+    std::vector<std::string> entryNames;     ///< of sources that let grains in
+    std::vector<EntryState> entries;         ///< what each has done
 };
 
 /// The state of a scene after a step. Calls dynamics.checkpoint(): a run that writes and goes on does as one that reads and goes on.

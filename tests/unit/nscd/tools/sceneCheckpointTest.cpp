@@ -163,6 +163,9 @@ TEST_F(Checkpoint, holdsEveryBit)
     state.time = 1.0/3.0;
     state.step = 9876543210LL;
     state.lastDeltaT = 1e-3;
+    state.nextId = 77;
+    state.entryNames = {"pour"};
+    state.entries = {{5, 3, 42, 1.0/3.0, 0.1}};
     nscd::writeCheckpoint(path, state);
     const nscd::SceneState back = nscd::readCheckpoint(path);
     EXPECT_EQ(hash(back.grains), hash(state.grains));
@@ -178,6 +181,14 @@ TEST_F(Checkpoint, holdsEveryBit)
     EXPECT_EQ(back.step, state.step);
     EXPECT_EQ(back.lastDeltaT, state.lastDeltaT);
     EXPECT_EQ(back.materials, state.materials);
+    EXPECT_EQ(back.nextId, 77);
+    EXPECT_EQ(back.entryNames, state.entryNames);
+    ASSERT_EQ(back.entries.size(), 1u);
+    EXPECT_EQ(back.entries[0].due, 5);
+    EXPECT_EQ(back.entries[0].entered, 3);
+    EXPECT_EQ(back.entries[0].tried, 42);
+    EXPECT_EQ(back.entries[0].dueMass, 1.0/3.0);
+    EXPECT_EQ(back.entries[0].enteredMass, 0.1);
     ASSERT_EQ(back.impulses.size(), 1u);
     EXPECT_EQ(back.impulses[0].idB, -1);
     EXPECT_EQ(back.impulses[0].impulse, Vec3(1, 2, 3));

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Reading sources that let grains in.
+#include "input/scene/entryReader.hpp"
+
+#include "input/scene/functionReader.hpp"
+#include "input/scene/materialReader.hpp"
+#include "input/scene/regionReader.hpp"
+#include "input/scene/sizeReader.hpp"
+
+#include <algorithm>
+
+namespace input
+{
+
+namespace
+{
+
+/// The integral of a rate from `start` on, over a duration [s].
+nscd::ScalarOfTime amountOf(const nscd::ScalarOfTime& rate, double start, double duration)
+{
+    const nscd::ScalarOfTime integral = nscd::integralOf(rate);
+    return [=](double time) { return integral(std::clamp(time, start, start + duration)) - integral(start); };
+}
+
+/// `rate` [1/s] or `massRate` [kg/s], functions of time.
+void readRate(const CheckedEntries& given, nscd::EntrySource& entry)
+{
+    entry.isMass = given.found("massRate");
+    if (entry.isMass && given.found("rate")) given.reject("massRate", "stands beside rate", "one of the two");
+    if (!entry.isMass) given.require("rate", "rate 100; [1/s], or massRate 0.1; [kg/s]");
+    const std::string keyword = entry.isMass ? "massRate" : "rate";
+    const nscd::ScalarOfTime rate = readScalarFunction(given, keyword);
+    const double start = given.number("start", atLeast(0, unit::time), 0.0);
+    const double duration = given.number("duration", above(0, unit::time), largestNumber);
+    if (!(rate(start) >= 0.0)) given.reject(keyword, "is below zero at the start", ">= 0");
+    entry.amount = amountOf(rate, start, duration);
+    if (given.found("number")) entry.number = given.integer("number", 1);
+}
+
+} // namespace
+
+nscd::EntrySource readEntry(const Dictionary& dict, const std::string& name, const MaterialTable& materials, const Surroundings& around)
+{
+    const CheckedEntries given(dict);
+    nscd::EntrySource entry;
+    entry.name = name;
+    given.found("type");
+    entry.material = readMaterialOfGrains(given, materials);
+    entry.density = materials.density[entry.material];
+    entry.region = readRegion(given, "region", around);
+    entry.sizes = readSizes(given, around);
+    readRate(given, entry);
+    entry.velocity = given.vec("velocity", unit::velocity, Vec3::Zero());
+    entry.omega = given.vec("omega", unit::rate, Vec3::Zero());
+    checkInPlane(given, "velocity", entry.velocity, around.shape.emptyAxis);
+    checkNormalToPlane(given, "omega", entry.omega, around.shape.emptyAxis);
+    entry.seed = static_cast<std::uint64_t>(given.integer("seed", 0, 1));
+    given.finish();
+    return entry;
+}
+
+} // namespace input

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Grains that enter: numbers and masses against rates, no overlap, waiting, one sequence for any steps and stops.
+#include "nscd/search/overlaps.hpp"
+#include "nscd/tools/grainEntry.hpp"
+
+#include <gtest/gtest.h>
+
+using nscd::Vec3;
+
+namespace
+{
+
+constexpr double density = 2500.0;
+
+/// A channel along y with a shelf in it, gravity, and grains that enter above it.
+struct Pour
+{
+    nscd::PeriodicBox box;
+    nscd::GrainDynamics dynamics;
+    nscd::GrainEntry entry;
+
+    Pour(const std::vector<nscd::EntrySource>& sources, const nscd::PeriodicBox& periods = {}) :
+        box(periods), dynamics({}, materials(), walls(), periods, {}), entry(sources, {}, periods, std::vector<nscd::EntryState>(sources.size()), 0)
+    {}
+
+    static nscd::Materials materials()
+    {
+        nscd::Materials materials;
+        materials.add("glass");
+        materials.setPair(0, 0, {0.3, 0.0});
+        return materials;
+    }
+
+    static nscd::Walls walls()
+    {
+        nscd::Walls walls;
+        const int box = walls.addPatch("box", 0);
+        for (const int axis : {0, 2})
+        {
+            walls.addPlane(box, Vec3::Zero(), Vec3::Unit(axis));
+            walls.addPlane(box, {0.1, 0.1, 0.2}, -Vec3::Unit(axis));
+        }
+        walls.addPolygon(walls.addPatch("shelf", 0), {{0.03, 0.03, 0.05}, {0.07, 0.03, 0.05}, {0.07, 0.07, 0.05}, {0.03, 0.07, 0.05}});
+        return walls;
+    }
+
+    void expectNoOverlap() const
+    {
+        EXPECT_TRUE(nscd::grainOverlaps(dynamics.grains(), box, 2e-3).empty());
+        EXPECT_TRUE(nscd::wallOverlaps(dynamics.grains(), dynamics.walls(), 2e-3).empty());
+    }
+
+    bool enter(double time) { return entry.enter(dynamics, time); }
+
+    void step(double deltaT)
+    {
+        dynamics.beginStep(deltaT);
+        dynamics.advance(nscd::gravityForces(dynamics.grains(), {0, 0, -9.81}, deltaT));
+    }
+};
+
+nscd::EntrySource source(double rate, const nscd::Region& region = nscd::boxRegion({0, 0, 0.1}, {0.1, 0.1, 0.2}))
+{
+    nscd::EntrySource source;
+    source.region = region;
+    source.sizes = nscd::tabulatedSizes({{0.006, 1}, {0.012, 1}});
+    source.density = density;
+    source.velocity = {0, 0, -0.5};
+    source.amount = [rate](double time) { return rate*time; };
+    return source;
+}
+
+} // namespace
+
+TEST(GrainEntry, letsInWhatIsDue)
+{
+    Pour pour({source(200)});
+    for (int k = 0; k < 500; ++k)
+    {
+        const double time = 1e-3*(k + 1);
+        pour.enter(time);
+        pour.step(1e-3);
+        const nscd::EntryState state = pour.entry.states()[0];
+        ASSERT_EQ(state.due, (k + 1)/5);
+        ASSERT_EQ(state.entered, std::int64_t(pour.dynamics.grains().size()));
+    }
+    EXPECT_EQ(pour.entry.states()[0].entered, 100);
+}
+
+TEST(GrainEntry, addsUpMasses)
+{
+    nscd::EntrySource byMass = source(0.2);
+    byMass.isMass = true;
+    Pour pour({byMass});
+    const double largest = density*M_PI/6.0*0.012*0.012*0.012;
+    for (int k = 1; k <= 100; ++k)
+    {
+        const double time = 2e-3*k;
+        pour.enter(time);
+        const nscd::EntryState state = pour.entry.states()[0];
+        ASSERT_LE(state.dueMass, 0.2*time*(1.0 + 1e-8));
+        ASSERT_GT(state.dueMass, 0.2*time - largest);
+    }
+    double sum = 0.0;
+    for (const double mass : pour.dynamics.grains().mass) sum += mass;
+    EXPECT_EQ(pour.entry.states()[0].waiting(), 0);
+    EXPECT_NEAR(pour.entry.states()[0].enteredMass, sum, 1e-12*sum);
+}
+
+TEST(GrainEntry, endsWithANumber)
+{
+    nscd::EntrySource some = source(1e4);
+    some.number = 7;
+    Pour pour({some});
+    pour.enter(1.0);
+    EXPECT_FALSE(pour.enter(2.0));
+    EXPECT_EQ(pour.dynamics.grains().size(), 7u);
+    EXPECT_EQ(pour.entry.states()[0].due, 7);
+}
+
+/// More than the region holds, which reaches behind walls and across a period.
+TEST(GrainEntry, leavesNoOverlapAndLetsTheRestWait)
+{
+    nscd::PeriodicBox periods;
+    periods.length[1] = 0.1;
+    Pour pour({source(2000, nscd::boxRegion({-0.02, 0, 0}, {0.12, 0.1, 0.2}))}, periods);
+    pour.enter(1.0);
+    const nscd::EntryState state = pour.entry.states()[0];
+    EXPECT_EQ(state.due, 2000);
+    EXPECT_GT(state.entered, 300);
+    EXPECT_GT(state.waiting(), 500);
+    EXPECT_NEAR(state.waitingMass(), state.dueMass - state.enteredMass, 0.0);
+    EXPECT_TRUE(nscd::grainOverlaps(pour.dynamics.grains(), pour.box, 0.0).empty());
+    EXPECT_TRUE(nscd::wallOverlaps(pour.dynamics.grains(), pour.dynamics.walls(), 0.0).empty());
+}
+
+/// A region that fills up, empties as grains fall out of it, and takes those that waited.
+TEST(GrainEntry, takesThoseThatWaitedWhenThereIsRoom)
+{
+    nscd::EntrySource burst = source(1e5, nscd::boxRegion({0.04, 0.04, 0.18}, {0.06, 0.06, 0.19}));
+    burst.number = 60;
+    Pour pour({burst});
+    pour.enter(1.0);
+    EXPECT_LT(pour.entry.states()[0].entered, 20);
+    for (int k = 0; k < 1000; ++k)
+    {
+        pour.step(1e-3);
+        if (pour.enter(1.0)) pour.expectNoOverlap();
+    }
+    EXPECT_EQ(pour.entry.states()[0].waiting(), 0);
+    EXPECT_EQ(pour.dynamics.grains().size(), 60u);
+}
+
+/// Sizes depend on neither the steps nor the places; a run that goes on from states does as one that was not stopped.
+TEST(GrainEntry, hasOneSequenceForAnyStepsAndStops)
+{
+    Pour whole({source(300), source(100)}), often({source(300), source(100)});
+    whole.enter(0.5);
+    for (int k = 1; k <= 50; ++k)
+    {
+        often.enter(0.01*k);
+        if (k == 20) often.entry = nscd::GrainEntry(often.entry.sources(), {}, {}, often.entry.states(), often.entry.nextId());
+    }
+    const auto radiiOf = [](const Pour& pour)
+    {
+        std::vector<double> radii = pour.dynamics.grains().radius;
+        std::sort(radii.begin(), radii.end());
+        return radii;
+    };
+    ASSERT_EQ(whole.dynamics.grains().size(), 200u);
+    EXPECT_EQ(radiiOf(whole), radiiOf(often));
+    EXPECT_NE(whole.dynamics.grains().radius[0], whole.dynamics.grains().radius[150]) << "sources have sequences of their own";
+    for (std::size_t i = 0; i < 200; ++i) EXPECT_EQ(often.dynamics.grains().id[i], std::int64_t(i));
+}
+
+TEST(GrainEntry, keepsImpulsesAndVelocitiesOfThoseInside)
+{
+    Pour pour({source(300)});
+    pour.enter(0.1);
+    for (int k = 0; k < 300; ++k) pour.step(1e-3);
+    const nscd::Grains before = pour.dynamics.grains();
+    ASSERT_TRUE(pour.enter(0.2));
+    const nscd::Grains& after = pour.dynamics.grains();
+    ASSERT_GT(after.size(), before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(after.velocity[i], before.velocity[i]);
+    EXPECT_EQ(after.velocity.back(), Vec3(0, 0, -0.5));
+    double lastDeltaT = 0.0;
+    EXPECT_FALSE(pour.dynamics.checkpoint(lastDeltaT).empty());
+}
