@@ -148,6 +148,7 @@ void CoupledRun::advanceGrains()
 {
     const auto timer = timing_.time(StepPart::advanceGrains);
     const input::WithoutTraps traps;
+    access_.beginStep();
     if (!hasGrains()) return;
     const label subCycles = properties_.time.subCycles;
     const scalar deltaT = time_.deltaTValue()/subCycles;
@@ -160,6 +161,7 @@ void CoupledRun::advanceGrains()
             ? step_.drag : forces_.splitAgain(dynamics_->grains(), step_.drag, deltaT);
         step_.grainReport = worstOf(step_.grainReport, advanceOnce(drag, deltaT), cycle + 1);
     }
+    access_.endMoves();
     reach_.displacement = step_.grainReport.maxDisplacement*subCycles;
     lastContactForce_ = dynamics_->contactForce();
     if (hasFluid()) recordFluidForce();
@@ -277,14 +279,16 @@ void CoupledRun::leaveDebts(const std::vector<std::size_t>& gone)
 
 void CoupledRun::removeExited(const std::vector<label>& cells)
 {
-    const std::vector<std::size_t> gone = findExited
+    const ExitedGrains exited = findExited
     (
         dynamics_->grains(), toLabelList(cells), mesh_, scene_.roles, ranks_.isParallel() ? &ranks_.tree() : nullptr
     );
+    const std::vector<std::size_t>& gone = exited.grains;
     double number = double(gone.size());
     ranks_.exchange()->sum(&number, 1);
     if (number == 0) return;
     ::nscd::Grains grains = dynamics_->grains();
+    access_.recordExits(gone, exited.patches);
     leaveDebts(gone);
     eraseGrains(grains, gone);
     dynamics_->setGrains(std::move(grains));

@@ -75,6 +75,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     scene_(makeGrainScene(properties_, mesh, gravity_)),
     forces_(properties_.forces, forceConditions(properties_, scene_)),
     ranks_(properties_.maxLoadImbalance),
+    access_(mesh, scene_.roles, scene_.box),
     debt_(memory_.add(dragDebt)),
     lastContactForce_(memory_.add(contactForce)),
     fluidForce_(memory_.add(fluidForce)),
@@ -118,6 +119,7 @@ void CoupledRun::startGrains()
     (
         std::move(state.grains), properties_.materials.table, scene_.walls, scene_.box, properties_.contact, ranks_.exchange()
     );
+    access_.show(dynamics_->grains());
     if (!isRestart) return;
 
     memory_.recall(state.extras, Info);

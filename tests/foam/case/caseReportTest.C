@@ -232,7 +232,7 @@ struct LeakyBox
         cells.append(isInside ? 0 : -1);
     }
 
-    std::vector<std::size_t> exited() { return findExited(grains, cells, box.mesh(), roles, nullptr); }
+    std::vector<std::size_t> exited() { return findExited(grains, cells, box.mesh(), roles, nullptr).grains; }
 
     BoxMesh box;
     PatchRoles roles;

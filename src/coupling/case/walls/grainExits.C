@@ -120,24 +120,25 @@ List<PatchDistance> nearestOfRanks(const polyMesh& mesh, const pointField& posit
 } // namespace
 
 
-std::vector<std::size_t> findExited
+ExitedGrains findExited
 (
     const nscd::Grains& grains, const labelUList& cells, const polyMesh& mesh, const PatchRoles& roles, const ::nscd::RankTree* tree
 )
 {
-    std::vector<std::size_t> exited;
+    ExitedGrains exited;
     pointField positions;
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         if (cells[i] >= 0) continue;
-        exited.push_back(i);
+        exited.grains.push_back(i);
         positions.append(toFoam(grains.position[i]));
     }
     if (!returnReduce(!positions.empty(), orOp<bool>())) return exited;
-    const labelList patches = nearestPatches(mesh, positions, tree);
+    exited.patches = nearestPatches(mesh, positions, tree);
+    const labelList& patches = exited.patches;
     forAll(patches, k)
     {
-        const std::size_t i = exited[k];
+        const std::size_t i = exited.grains[k];
         if (patches[k] >= 0 && roles.role[patches[k]] == PatchRole::exit) continue;
         const word patch = patches[k] < 0 ? word("none") : mesh.boundaryMesh()[patches[k]].name();
         FatalErrorInFunction

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Counting, and going on with the counts of a written time.
+#include "functionObjects/grainFlux.H"
+
+#include "functionObjects/functionEntries.H"
+
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+
+using nscdCoupling::GrainAccess;
+
+defineTypeNameAndDebug(GrainFlux, 0);
+addToRunTimeSelectionTable(functionObject, GrainFlux, dictionary);
+
+namespace
+{
+
+word planeProperty(const word& name) { return "plane." + name; }
+word exitProperty(const word& name) { return "exit." + name; }
+
+nscdCoupling::Plane readPlane(const input::Dictionary& dict)
+{
+    const input::CheckedEntries entries(dict);
+    const nscdCoupling::Plane plane{entries.vec("point", input::unit::length), entries.vec("normal", input::unit::one)};
+    if (plane.normal.isZero(0)) entries.reject("normal", "has no direction", "a vector other than (0 0 0)");
+    entries.finish();
+    return plane;
+}
+
+/// Adds what all ranks counted.
+void addOfRanks(scalarList& total, scalarList counted)
+{
+    Pstream::listCombineGather(counted, plusEqOp<scalar>());
+    Pstream::listCombineScatter(counted);
+    forAll(total, k) total[k] += counted[k];
+}
+
+/// The first half are numbers, whole ones with all digits, the others masses.
+void writeTotals(Ostream& os, const scalarList& total)
+{
+    forAll(total, k)
+    {
+        os << tab;
+        if (2*k < total.size()) os << std::int64_t(total[k]);
+        else os << total[k];
+    }
+}
+
+} // namespace
+
+
+GrainFlux::GrainFlux(const word& name, const Time& runTime, const dictionary& dict)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name, "grainFlux", dict),
+    access_(GrainAccess::of(mesh_, nscdCoupling::placeOf(dict)))
+{
+    read(dict);
+    // What left while a written time was read is of no step.
+    if (runTime.timeIndex() == runTime.startTimeIndex()) countExits();
+    remember();
+}
+
+
+bool GrainFlux::read(const dictionary& dict)
+{
+    nscdCoupling::readFunction(dict, [this](const input::CheckedEntries& entries)
+    {
+        nscdCoupling::requireEveryStep(entries);
+        readPlanes(entries);
+        readExits(entries);
+    });
+    if (!planes_.empty()) access_.followMoves();
+    const bool isRead = fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+    writeHead();
+    return isRead;
+}
+
+
+void GrainFlux::readPlanes(const input::CheckedEntries& entries)
+{
+    planes_.clear();
+    const input::Dictionary planes = entries.subOrEmpty("planes");
+    const input::CheckedEntries named(planes);
+    for (const input::Entry& entry : planes.entries)
+    {
+        planes_.push_back({entry.keyword, readPlane(named.sub(entry.keyword)), recalled(planeProperty(entry.keyword), 4)});
+    }
+    named.finish();
+}
+
+
+void GrainFlux::readExits(const input::CheckedEntries& entries)
+{
+    exits_.clear();
+    input::Words names;
+    for (const label patch : access_.roles().ofRole(nscdCoupling::PatchRole::exit)) names.push_back(mesh_.boundaryMesh()[patch].name());
+    for (const word name : entries.choices("exits", names, names))
+    {
+        exits_.push_back({name, mesh_.boundaryMesh().findPatchID(name), recalled(exitProperty(name), 2)});
+    }
+}
+
+
+scalarList GrainFlux::recalled(const word& property, label size) const
+{
+    scalarList total(size, scalar(0));
+    getProperty(property, total);
+    Pstream::scatter(total);
+    return total;
+}
+
+
+void GrainFlux::countMoves()
+{
+    for (PlaneFlux& flux : planes_)
+    {
+        scalarList counted(4, scalar(0));
+        for (const nscdCoupling::GrainMove& move : access_.moves())
+        {
+            const int sign = nscdCoupling::crossing(flux.plane, move.from, move.to, access_.box());
+            if (sign == 0) continue;
+            counted[sign > 0 ? 0 : 1] += 1;
+            counted[sign > 0 ? 2 : 3] += move.mass;
+        }
+        addOfRanks(flux.total, counted);
+    }
+}
+
+
+void GrainFlux::countExits()
+{
+    for (ExitFlux& flux : exits_)
+    {
+        scalarList counted(2, scalar(0));
+        for (const nscdCoupling::GrainExit& gone : access_.exits())
+        {
+            if (gone.patch != flux.patch) continue;
+            counted[0] += 1;
+            counted[1] += gone.mass;
+        }
+        addOfRanks(flux.total, counted);
+    }
+}
+
+
+void GrainFlux::remember()
+{
+    for (const PlaneFlux& flux : planes_) setProperty(planeProperty(flux.name), flux.total);
+    for (const ExitFlux& flux : exits_) setProperty(exitProperty(flux.name), flux.total);
+}
+
+
+bool GrainFlux::execute()
+{
+    countMoves();
+    countExits();
+    remember();
+    return true;
+}
+
+
+void GrainFlux::writeHead()
+{
+    if (!Pstream::master() || !writeToFile()) return;
+    writeHeader(file(), "Grains through planes and exits since the case began: numbers and masses [kg]");
+    writeCommented(file(), "Time");
+    for (const PlaneFlux& flux : planes_)
+    {
+        for (const char* column : {"numberForward", "numberBackward", "massForward", "massBackward"})
+        {
+            writeTabbed(file(), flux.name + "." + column);
+        }
+    }
+    for (const ExitFlux& flux : exits_)
+    {
+        for (const char* column : {"number", "mass"}) writeTabbed(file(), flux.name + "." + column);
+    }
+    file() << endl;
+}
+
+
+bool GrainFlux::write()
+{
+    if (!Pstream::master() || !writeToFile()) return true;
+    writeCurrentTime(file());
+    for (const PlaneFlux& flux : planes_) writeTotals(file(), flux.total);
+    for (const ExitFlux& flux : exits_) writeTotals(file(), flux.total);
+    file() << endl;
+    return true;
+}
+
+} // namespace functionObjects
+} // namespace Foam

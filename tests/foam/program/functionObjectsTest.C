@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Tests of the function objects in nscdDEMFoam, on one and two ranks and over restarts: figures that are known beforehand, and bad input.
+#include "caseTools.H"
+#include "programCase.H"
+
+#include <cmath>
+#include <sstream>
+
+using namespace Foam;
+using namespace Foam::nscdCoupling::testing;
+
+namespace
+{
+
+/// Five layers of 16 spheres, at heights of 0.01, 0.03, ..., 0.09 m, that touch nothing and rise by 5.3 mm a step to the exit at 0.2 m.
+const std::string risingGrains =
+    "materials { glass { density 2500; } } contacts { default { friction 0.3; } } fluid none;"
+    "grains { type lattice; box (0 0 0) (0.1 0.1 0.1); count (4 4 5); diameter 0.01; velocity (0 0 5.3); }"
+    "patches { front { type wall; } back { type exit; } }";
+
+constexpr double grainMass = 2500*M_PI/6*1e-6;
+
+Files dryFiles(const std::string& properties)
+{
+    Files files{{"constant/grainProperties", properties}, {"constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);"}};
+    for (const char* file : {"constant/transportProperties", "constant/turbulenceProperties", "0/U", "0/p_rgh"}) files[file] = "";
+    return files;
+}
+
+std::string functionsOf(const std::string& functions, const std::string& more = "")
+{
+    return more + "\nfunctions\n{\n" + functions + "\n}\n";
+}
+
+/// The last row of a function object's file, by the names at its head.
+std::map<std::string, double> lastRow(const ProgramCase& c, const std::string& file)
+{
+    std::istringstream lines(c.contents("postProcessing/" + file));
+    std::vector<std::string> names;
+    std::map<std::string, double> row;
+    for (std::string line; std::getline(lines, line);)
+    {
+        std::istringstream cells(line);
+        std::string first;
+        cells >> first;
+        if (first == "#")
+        {
+            names.clear();
+            for (std::string name; cells >> name;) names.push_back(name);
+            continue;
+        }
+        cells.seekg(0);
+        for (const std::string& name : names) cells >> row[name];
+    }
+    return row;
+}
+
+::testing::AssertionResult succeeds(const ProgramRun& run)
+{
+    return run.status == 0 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << run.status << ": " << run.log;
+}
+
+/// Refused with status 1 and these pieces of text before a step was taken.
+::testing::AssertionResult isRefused(const std::string& functions, const std::vector<std::string>& pieces)
+{
+    const ProgramCase c(dryFiles(risingGrains), functionsOf(functions));
+    const ProgramRun run = c.run();
+    if (run.status != 1) return ::testing::AssertionFailure() << "status " << run.status << ": " << run.log;
+    if (!c.reported("0", "time").empty()) return ::testing::AssertionFailure() << "a step was taken: " << run.log;
+    return holds(run.log, pieces);
+}
+
+const std::string flux = "flux { type grainFlux; planes {"
+    "middle { point (0 0 0.105); normal (0 0 1); } down { point (0 0 0.02); normal (0 0 -1); } rim { point (0 0 0.1995); normal (0 0 1); } } }";
+
+/// After 10 steps: two layers are above the middle, one has come through the plane that faces down; none has left.
+void expectFluxOfTenSteps(const ProgramCase& c)
+{
+    std::map<std::string, double> row = lastRow(c, "flux/0/grainFlux.dat");
+    EXPECT_NEAR(row["Time"], 0.01, 1e-9);
+    EXPECT_EQ(row["middle.numberForward"], 32);
+    EXPECT_EQ(row["middle.numberBackward"], 0);
+    EXPECT_NEAR(row["middle.massForward"], 32*grainMass, 1e-5*grainMass);
+    EXPECT_EQ(row["down.numberForward"], 0);
+    EXPECT_EQ(row["down.numberBackward"], 16);
+    EXPECT_NEAR(row["down.massBackward"], 16*grainMass, 1e-5*grainMass);
+    EXPECT_EQ(row["rim.numberForward"], 0);
+    EXPECT_EQ(row["back.number"], 0);
+}
+
+/// After 31 steps: all layers are above the middle, three have left, each in the step in which it went through the rim.
+void expectFluxToTheEnd(const ProgramCase& c, const std::string& startTime)
+{
+    std::map<std::string, double> row = lastRow(c, "flux/" + startTime + "/grainFlux.dat");
+    EXPECT_NEAR(row["Time"], 0.031, 1e-9);
+    EXPECT_EQ(row["middle.numberForward"], 80);
+    EXPECT_EQ(row["down.numberBackward"], 16);
+    EXPECT_EQ(row["rim.numberForward"], 48);
+    EXPECT_EQ(row["rim.numberBackward"], 0);
+    EXPECT_EQ(row["back.number"], 48);
+    EXPECT_NEAR(row["back.mass"], 48*grainMass, 1e-5*grainMass);
+}
+
+const std::string precise = " writePrecision 9; } ";
+const std::string toTheEnd = "endTime 0.031; writeInterval 31;";
+
+std::string preciseFlux() { return flux.substr(0, flux.rfind('}')) + precise; }
+
+} // namespace
+
+TEST(GrainFlux, countsGrainsThroughPlanesAndExits)
+{
+    const ProgramCase c(dryFiles(risingGrains), functionsOf(preciseFlux()));
+    EXPECT_TRUE(succeeds(c.run()));
+    expectFluxOfTenSteps(c);
+    c.writeControl(functionsOf(preciseFlux(), toTheEnd));
+    EXPECT_TRUE(succeeds(c.run()));
+    expectFluxToTheEnd(c, "0.01");
+}
+
+TEST(GrainFlux, countsOnTwoRanksAndOverARestartOnOthers)
+{
+    const ProgramCase c(dryFiles(risingGrains), functionsOf(preciseFlux()));
+    EXPECT_TRUE(succeeds(c.decompose(labelVector(1, 1, 2))));
+    EXPECT_TRUE(succeeds(c.runOn(2)));
+    expectFluxOfTenSteps(c);
+    c.writeControl(functionsOf(preciseFlux(), toTheEnd));
+    EXPECT_TRUE(succeeds(c.runOn(2)));
+    expectFluxToTheEnd(c, "0.01");
+    const ProgramCase other(dryFiles(risingGrains), functionsOf(preciseFlux()));
+    EXPECT_TRUE(succeeds(other.run()));
+    EXPECT_TRUE(succeeds(other.decompose(labelVector(2, 1, 1))));
+    other.writeControl(functionsOf(preciseFlux(), toTheEnd));
+    EXPECT_TRUE(succeeds(other.runOn(2)));
+    expectFluxToTheEnd(other, "0.01");
+}
+
+TEST(GrainFlux, refusesBadInput)
+{
+    const std::string start = "flux\n{\ntype grainFlux;\n";
+    const std::vector<std::string> planeWords = {"system/controlDict", "functions.flux.planes.a"};
+    EXPECT_TRUE(isRefused(start + "plane 3; }", {"system/controlDict", "line 8", "plane", "nearest: planes"}));
+    EXPECT_TRUE(isRefused(start + "planes 3; }", {"system/controlDict", "line 8", "functions.flux.planes"}));
+    EXPECT_TRUE(isRefused(start + "planes { a { point (0 0 0); } } }", {planeWords[0], planeWords[1], "normal", "is missing"}));
+    EXPECT_TRUE(isRefused(start + "planes { a { pont (0 0 0); normal (0 0 1); } } }", {planeWords[0], planeWords[1], "point"}));
+    EXPECT_TRUE(isRefused(start + "planes { a { point (0 0); normal (0 0 1); } } }", {planeWords[0], planeWords[1], "point", "( 0 0 )"}));
+    EXPECT_TRUE(isRefused(start + "planes { a { point (0 0 0);\nnormal (0 0 0); } } }", {planeWords[1], "line 9", "normal", "(0 0 0)"}));
+    EXPECT_TRUE(isRefused(start + "exits (bak); }", {"system/controlDict", "line 8", "functions.flux.exits", "bak", "nearest: back"}));
+    EXPECT_TRUE(isRefused(start + "executeInterval 2; }", {"system/controlDict", "line 8", "executeInterval", "every step"}));
+}
