@@ -249,3 +249,35 @@ TEST(MixingIndex, refusesBadInput)
     EXPECT_TRUE(isRefused(start + "material glass; " + box + "\ncount (300 300 300); }", {"line 9", "functions.mixing.count", "10 million"}));
     EXPECT_TRUE(isRefused(start + "material glass; " + box + "count (1 1 1);\nmaterials 3; }", {"line 9", "nearest: material"}));
 }
+
+TEST(GrainProbes, followGrainsUntilTheyLeave)
+{
+    const std::string probes = "probes { type grainProbes; ids (0 79); writePrecision 9; }";
+    for (const labelVector& parts : {labelVector(1, 1, 1), labelVector(1, 1, 2)})
+    {
+        const ProgramCase c(dryFiles(risingGrains), functionsOf(probes, "endTime 0.021; writeInterval 21;"));
+        const bool isAlone = cmptProduct(parts) == 1;
+        EXPECT_TRUE(isAlone || succeeds(c.decompose(parts)));
+        EXPECT_TRUE(succeeds(isAlone ? c.run() : c.runOn(2)));
+        // Twenty-one steps: the first grain is 0.1113 m higher, the last one, of the topmost layer, has left in the last of them.
+        std::map<std::string, double> row = lastRow(c, "probes/0/grainProbes.dat");
+        EXPECT_EQ(row["0.present"], 1);
+        EXPECT_NEAR(row["0.x"], 0.0125, 1e-8);
+        EXPECT_NEAR(row["0.y"], 0.0125, 1e-8);
+        EXPECT_NEAR(row["0.z"], 0.01 + 0.1113, 1e-8);
+        EXPECT_NEAR(row["0.uz"], 5.3, 1e-8);
+        EXPECT_EQ(row.at("79.present"), 0);
+        EXPECT_EQ(row["79.z"], 0);
+        const std::string text = c.contents("postProcessing/probes/0/grainProbes.dat");
+        EXPECT_NE(text.find("79.uz"), std::string::npos);
+    }
+}
+
+TEST(GrainProbes, refuseBadInput)
+{
+    const std::string start = "probes\n{\ntype grainProbes;\n";
+    EXPECT_TRUE(isRefused(start + "id (0 1); }", {"system/controlDict", "id"}));
+    EXPECT_TRUE(isRefused(start + "ids (0 -1); }", {"system/controlDict", "line 8", "functions.probes.ids", "-1"}));
+    EXPECT_TRUE(isRefused(start + "ids (); }", {"system/controlDict", "line 8", "functions.probes.ids"}));
+    EXPECT_TRUE(isRefused(start + "ids (0);\nidss (1); }", {"system/controlDict", "line 9", "nearest: ids"}));
+}
