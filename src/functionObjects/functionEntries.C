@@ -37,6 +37,16 @@ void readFunction(const dictionary& dict, const std::function<void(const input::
 }
 
 
+Plane readPlane(const input::Dictionary& dict)
+{
+    const input::CheckedEntries entries(dict);
+    const Plane plane{entries.vec("point", input::unit::length), entries.vec("normal", input::unit::one)};
+    if (plane.normal.isZero(0)) entries.reject("normal", "has no direction", "a vector other than (0 0 0)");
+    entries.finish();
+    return plane;
+}
+
+
 void requireEveryStep(const input::CheckedEntries& entries)
 {
     for (const char* keyword : {"executeControl", "executeInterval"})

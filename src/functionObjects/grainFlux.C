@@ -24,15 +24,6 @@ namespace
 word planeProperty(const word& name) { return "plane." + name; }
 word exitProperty(const word& name) { return "exit." + name; }
 
-nscdCoupling::Plane readPlane(const input::Dictionary& dict)
-{
-    const input::CheckedEntries entries(dict);
-    const nscdCoupling::Plane plane{entries.vec("point", input::unit::length), entries.vec("normal", input::unit::one)};
-    if (plane.normal.isZero(0)) entries.reject("normal", "has no direction", "a vector other than (0 0 0)");
-    entries.finish();
-    return plane;
-}
-
 /// Adds what all ranks counted.
 void addOfRanks(scalarList& total, scalarList counted)
 {
@@ -90,7 +81,7 @@ void GrainFlux::readPlanes(const input::CheckedEntries& entries)
     const input::CheckedEntries named(planes);
     for (const input::Entry& entry : planes.entries)
     {
-        planes_.push_back({entry.keyword, readPlane(named.sub(entry.keyword)), recalled(planeProperty(entry.keyword), 4)});
+        planes_.push_back({entry.keyword, nscdCoupling::readPlane(named.sub(entry.keyword)), recalled(planeProperty(entry.keyword), 4)});
     }
     named.finish();
 }

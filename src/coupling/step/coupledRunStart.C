@@ -75,7 +75,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     scene_(makeGrainScene(properties_, mesh, gravity_)),
     forces_(properties_.forces, forceConditions(properties_, scene_)),
     ranks_(properties_.maxLoadImbalance),
-    access_(mesh, scene_.roles, scene_.box),
+    access_(mesh, scene_.roles, scene_.box, properties_.materials.table),
     debt_(memory_.add(dragDebt)),
     lastContactForce_(memory_.add(contactForce)),
     fluidForce_(memory_.add(fluidForce)),

@@ -14,11 +14,15 @@ namespace nscdCoupling
 defineTypeNameAndDebug(GrainAccess, 0);
 
 
-GrainAccess::GrainAccess(const fvMesh& mesh, const PatchRoles& roles, const ::nscd::PeriodicBox& box)
+GrainAccess::GrainAccess
+(
+    const fvMesh& mesh, const PatchRoles& roles, const ::nscd::PeriodicBox& box, const ::nscd::Materials& materials
+)
 :
     regIOobject(IOobject(typeName, mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE)),
     roles_(roles),
-    box_(box)
+    box_(box),
+    materials_(materials)
 {}
 
 

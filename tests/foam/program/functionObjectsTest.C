@@ -150,3 +150,134 @@ TEST(GrainFlux, refusesBadInput)
     EXPECT_TRUE(isRefused(start + "exits (bak); }", {"system/controlDict", "line 8", "functions.flux.exits", "bak", "nearest: back"}));
     EXPECT_TRUE(isRefused(start + "executeInterval 2; }", {"system/controlDict", "line 8", "executeInterval", "every step"}));
 }
+
+TEST(BedHeight, isThatOfALattice)
+{
+    // Layers 0.01 to 0.09 m high at the start, 0.053 m higher after 10 steps: four fifths of the mass are up to the fourth one.
+    const std::string bed = "bed { type bedHeight; floor { point (0 0 0.003); normal (0 0 2); } share 0.79; writePrecision 9; }";
+    ProgramCase alone(dryFiles(risingGrains), functionsOf(bed)), together(dryFiles(risingGrains), functionsOf(bed));
+    EXPECT_TRUE(succeeds(alone.run()));
+    EXPECT_TRUE(succeeds(together.decompose(labelVector(1, 1, 2))));
+    EXPECT_TRUE(succeeds(together.runOn(2)));
+    for (const ProgramCase* c : {&alone, &together})
+    {
+        std::map<std::string, double> row = lastRow(*c, "bed/0/bedHeight.dat");
+        EXPECT_NEAR(row["Time"], 0.01, 1e-9);
+        EXPECT_NEAR(row["twiceMean"], 2*(0.05 + 0.053 - 0.003), 1e-8);
+        EXPECT_NEAR(row["share"], 0.07 + 0.053 - 0.003, 1e-8);
+    }
+}
+
+TEST(BedHeight, refusesBadInput)
+{
+    const std::string start = "bed\n{\ntype bedHeight;\n", floor = "floor { point (0 0 0); normal (0 0 1); } ";
+    EXPECT_TRUE(isRefused(start + "share 0.5; }", {"system/controlDict", "functions.bed", "floor", "is missing"}));
+    EXPECT_TRUE(isRefused(start + "flor 3; }", {"system/controlDict", "floor"}));
+    EXPECT_TRUE(isRefused(start + "floor { point (0 0 0);\nnormal (0 0 0); } }", {"line 9", "functions.bed.floor.normal", "(0 0 0)"}));
+    EXPECT_TRUE(isRefused(start + floor + "\nshare 1.5; }", {"system/controlDict", "line 9", "functions.bed.share", "1.5"}));
+    EXPECT_TRUE(isRefused(start + floor + "\nshar 0.5; }", {"system/controlDict", "line 9", "shar", "nearest: share"}));
+}
+
+namespace
+{
+
+/// 64 spheres at rest, half of them red.
+std::string twoColors(const std::string& red, const std::string& blue)
+{
+    const std::string lattice = " { type lattice; diameter 0.005; material ";
+    return "materials { red { density 2500; } blue { density 2500; } } contacts { default { friction 0.3; } } fluid none; wallMaterial red;"
+        "grains { a" + lattice + "red; " + red + " } b" + lattice + "blue; " + blue + " } }"
+        "patches { front { type wall; } back { type exit; } }";
+}
+
+const std::string segregated = twoColors("box (0 0 0) (0.1 0.1 0.1); count (4 4 2);", "box (0 0 0.1) (0.1 0.1 0.2); count (4 4 2);");
+const std::string regular = twoColors("box (0 0 0) (0.05 0.1 0.2); count (2 4 4);", "box (0.05 0 0) (0.1 0.1 0.2); count (2 4 4);");
+
+std::string mixing(const std::string& samples)
+{
+    return "mixing { type mixingIndex; material red; box (0 0 0) (0.1 0.1 0.2); " + samples + " writePrecision 9; }";
+}
+
+std::map<std::string, double> mixtureOf(const std::string& grains, const std::string& samples, const labelVector& parts)
+{
+    const ProgramCase c(dryFiles(grains), functionsOf(mixing(samples)));
+    if (cmptProduct(parts) > 1)
+    {
+        EXPECT_TRUE(succeeds(c.decompose(parts)));
+        EXPECT_TRUE(succeeds(c.runOn(cmptProduct(parts))));
+    }
+    else EXPECT_TRUE(succeeds(c.run()));
+    return lastRow(c, "mixing/0/mixingIndex.dat");
+}
+
+} // namespace
+
+TEST(MixingIndex, isZeroOfTwoHalvesAndThatOfARegularMixtureAboveOne)
+{
+    for (const labelVector& parts : {labelVector(1, 1, 1), labelVector(1, 2, 1)})
+    {
+        std::map<std::string, double> row = mixtureOf(segregated, "count (1 1 2);", parts);
+        EXPECT_NEAR(row["index"], 0, 1e-8);
+        EXPECT_NEAR(row["share"], 0.5, 1e-8);
+        EXPECT_EQ(row["samples"], 2);
+        EXPECT_EQ(row["grainsPerSample"], 32);
+        // Each of the four samples has 8 red and 8 blue ones: S = 0, M = 1/(1 - 1/n).
+        row = mixtureOf(regular, "count (1 1 4);", parts);
+        EXPECT_NEAR(row["index"], 1/(1 - 1.0/16), 1e-8);
+        EXPECT_EQ(row["samples"], 4);
+        // Two samples side by side part the same grains.
+        row = mixtureOf(regular, "count (2 1 1);", parts);
+        EXPECT_NEAR(row["index"], 0, 1e-8);
+    }
+}
+
+TEST(MixingIndex, weighsSamplesByTheirGrains)
+{
+    // Three samples along x of 16, 32 and 16 grains; red: all, half, none. S^2 = (16 + 16)/4/64 = 1/8, n = 64/3.
+    std::map<std::string, double> row = mixtureOf(regular, "count (3 1 1);", labelVector(1, 1, 1));
+    EXPECT_EQ(row["samples"], 3);
+    EXPECT_NEAR(row["index"], (0.25 - 0.125)/(0.25 - 0.25*3/64), 1e-8);
+}
+
+TEST(MixingIndex, refusesBadInput)
+{
+    const std::string start = "mixing\n{\ntype mixingIndex;\n", box = "box (0 0 0) (1 1 1); ";
+    EXPECT_TRUE(isRefused(start + "material glas; }", {"system/controlDict", "line 8", "functions.mixing.material", "glas", "nearest: glass"}));
+    EXPECT_TRUE(isRefused(start + "material glass;\nbox (0 0 0) (1 0 1); count (1 1 1); }", {"line 9", "functions.mixing.box"}));
+    EXPECT_TRUE(isRefused(start + "material glass; " + box + "\ncount (1 1); }", {"line 9", "functions.mixing.count", "three numbers"}));
+    EXPECT_TRUE(isRefused(start + "material glass; " + box + "\ncount (0 1 1); }", {"line 9", "functions.mixing.count", "0"}));
+    EXPECT_TRUE(isRefused(start + "material glass; " + box + "\ncount (300 300 300); }", {"line 9", "functions.mixing.count", "10 million"}));
+    EXPECT_TRUE(isRefused(start + "material glass; " + box + "count (1 1 1);\nmaterials 3; }", {"line 9", "nearest: material"}));
+}
+
+TEST(GrainProbes, followGrainsUntilTheyLeave)
+{
+    const std::string probes = "probes { type grainProbes; ids (0 79); writePrecision 9; }";
+    for (const labelVector& parts : {labelVector(1, 1, 1), labelVector(1, 1, 2)})
+    {
+        const ProgramCase c(dryFiles(risingGrains), functionsOf(probes, "endTime 0.021; writeInterval 21;"));
+        const bool isAlone = cmptProduct(parts) == 1;
+        EXPECT_TRUE(isAlone || succeeds(c.decompose(parts)));
+        EXPECT_TRUE(succeeds(isAlone ? c.run() : c.runOn(2)));
+        // Twenty-one steps: the first grain is 0.1113 m higher, the last one, of the topmost layer, has left in the last of them.
+        std::map<std::string, double> row = lastRow(c, "probes/0/grainProbes.dat");
+        EXPECT_EQ(row["0.present"], 1);
+        EXPECT_NEAR(row["0.x"], 0.0125, 1e-8);
+        EXPECT_NEAR(row["0.y"], 0.0125, 1e-8);
+        EXPECT_NEAR(row["0.z"], 0.01 + 0.1113, 1e-8);
+        EXPECT_NEAR(row["0.uz"], 5.3, 1e-8);
+        EXPECT_EQ(row.at("79.present"), 0);
+        EXPECT_EQ(row["79.z"], 0);
+        const std::string text = c.contents("postProcessing/probes/0/grainProbes.dat");
+        EXPECT_NE(text.find("79.uz"), std::string::npos);
+    }
+}
+
+TEST(GrainProbes, refuseBadInput)
+{
+    const std::string start = "probes\n{\ntype grainProbes;\n";
+    EXPECT_TRUE(isRefused(start + "id (0 1); }", {"system/controlDict", "id"}));
+    EXPECT_TRUE(isRefused(start + "ids (0 -1); }", {"system/controlDict", "line 8", "functions.probes.ids", "-1"}));
+    EXPECT_TRUE(isRefused(start + "ids (); }", {"system/controlDict", "line 8", "functions.probes.ids"}));
+    EXPECT_TRUE(isRefused(start + "ids (0);\nidss (1); }", {"system/controlDict", "line 9", "nearest: ids"}));
+}
