@@ -73,16 +73,10 @@ scalar heightOfShare(List<HeightAndMass> grains, scalar share)
 
 BedHeight::BedHeight(const word& name, const Time& runTime, const dictionary& dict)
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, typeName, dict),
-    access_(nscdCoupling::GrainAccess::of(mesh_, nscdCoupling::placeOf(dict)))
+    GrainTable(name, runTime, dict, typeName)
 {
     read(dict);
-    if (!Pstream::master() || !writeToFile()) return;
-    writeHeader(file(), "Heights of grains above the floor [m]");
-    writeCommented(file(), "Time");
-    for (const char* column : {"twiceMean", "share"}) writeTabbed(file(), column);
-    file() << endl;
+    writeHead("Heights of grains above the floor [m]", {"twiceMean", "share"});
 }
 
 
@@ -93,14 +87,14 @@ bool BedHeight::read(const dictionary& dict)
         floor_ = nscdCoupling::readPlane(entries.sub("floor"));
         share_ = entries.number("share", input::between(0, 1), usualShare);
     });
-    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+    return GrainTable::read(dict);
 }
 
 
 bool BedHeight::write()
 {
-    const List<HeightAndMass> grains = gatherHeights(access_.grains(), floor_);
-    if (!Pstream::master() || !writeToFile()) return true;
+    const List<HeightAndMass> grains = gatherHeights(access().grains(), floor_);
+    if (!hasFile()) return true;
     writeCurrentTime(file());
     file() << tab << twiceMean(grains) << tab << heightOfShare(grains, share_) << endl;
     return true;

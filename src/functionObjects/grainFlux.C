@@ -13,8 +13,6 @@ namespace Foam
 namespace functionObjects
 {
 
-using nscdCoupling::GrainAccess;
-
 defineTypeNameAndDebug(GrainFlux, 0);
 addToRunTimeSelectionTable(functionObject, GrainFlux, dictionary);
 
@@ -48,9 +46,7 @@ void writeTotals(Ostream& os, const scalarList& total)
 
 GrainFlux::GrainFlux(const word& name, const Time& runTime, const dictionary& dict)
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, "grainFlux", dict),
-    access_(GrainAccess::of(mesh_, nscdCoupling::placeOf(dict)))
+    GrainTable(name, runTime, dict, typeName)
 {
     read(dict);
     // What left while a written time was read is of no step.
@@ -67,9 +63,9 @@ bool GrainFlux::read(const dictionary& dict)
         readPlanes(entries);
         readExits(entries);
     });
-    if (!planes_.empty()) access_.followMoves();
-    const bool isRead = fvMeshFunctionObject::read(dict) && writeFile::read(dict);
-    writeHead();
+    if (!planes_.empty()) access().followMoves();
+    const bool isRead = GrainTable::read(dict);
+    writeHead("Grains through planes and exits since the case began: numbers and masses [kg]", columns());
     return isRead;
 }
 
@@ -91,7 +87,7 @@ void GrainFlux::readExits(const input::CheckedEntries& entries)
 {
     exits_.clear();
     input::Words names;
-    for (const label patch : access_.roles().ofRole(nscdCoupling::PatchRole::exit)) names.push_back(mesh_.boundaryMesh()[patch].name());
+    for (const label patch : access().roles().ofRole(nscdCoupling::PatchRole::exit)) names.push_back(mesh_.boundaryMesh()[patch].name());
     for (const word name : entries.choices("exits", names, names))
     {
         exits_.push_back({name, mesh_.boundaryMesh().findPatchID(name), recalled(exitProperty(name), 2)});
@@ -113,9 +109,9 @@ void GrainFlux::countMoves()
     for (PlaneFlux& flux : planes_)
     {
         scalarList counted(4, scalar(0));
-        for (const nscdCoupling::GrainMove& move : access_.moves())
+        for (const nscdCoupling::GrainMove& move : access().moves())
         {
-            const int sign = nscdCoupling::crossing(flux.plane, move.from, move.to, access_.box());
+            const int sign = nscdCoupling::crossing(flux.plane, move.from, move.to, access().box());
             if (sign == 0) continue;
             counted[sign > 0 ? 0 : 1] += 1;
             counted[sign > 0 ? 2 : 3] += move.mass;
@@ -130,7 +126,7 @@ void GrainFlux::countExits()
     for (ExitFlux& flux : exits_)
     {
         scalarList counted(2, scalar(0));
-        for (const nscdCoupling::GrainExit& gone : access_.exits())
+        for (const nscdCoupling::GrainExit& gone : access().exits())
         {
             if (gone.patch != flux.patch) continue;
             counted[0] += 1;
@@ -157,29 +153,24 @@ bool GrainFlux::execute()
 }
 
 
-void GrainFlux::writeHead()
+std::vector<std::string> GrainFlux::columns() const
 {
-    if (!Pstream::master() || !writeToFile()) return;
-    writeHeader(file(), "Grains through planes and exits since the case began: numbers and masses [kg]");
-    writeCommented(file(), "Time");
+    std::vector<std::string> columns;
     for (const PlaneFlux& flux : planes_)
     {
-        for (const char* column : {"numberForward", "numberBackward", "massForward", "massBackward"})
-        {
-            writeTabbed(file(), flux.name + "." + column);
-        }
+        for (const char* column : {"numberForward", "numberBackward", "massForward", "massBackward"}) columns.push_back(flux.name + "." + column);
     }
     for (const ExitFlux& flux : exits_)
     {
-        for (const char* column : {"number", "mass"}) writeTabbed(file(), flux.name + "." + column);
+        for (const char* column : {"number", "mass"}) columns.push_back(flux.name + "." + column);
     }
-    file() << endl;
+    return columns;
 }
 
 
 bool GrainFlux::write()
 {
-    if (!Pstream::master() || !writeToFile()) return true;
+    if (!hasFile()) return true;
     writeCurrentTime(file());
     for (const PlaneFlux& flux : planes_) writeTotals(file(), flux.total);
     for (const ExitFlux& flux : exits_) writeTotals(file(), flux.total);

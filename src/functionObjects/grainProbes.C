@@ -22,16 +22,14 @@ namespace
 {
 
 constexpr label nColumns = 7;
-const char* const columns[nColumns] = {"present", "x", "y", "z", "ux", "uy", "uz"};
+const char* const columnsOfGrain[nColumns] = {"present", "x", "y", "z", "ux", "uy", "uz"};
 
 } // namespace
 
 
 GrainProbes::GrainProbes(const word& name, const Time& runTime, const dictionary& dict)
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, typeName, dict),
-    access_(nscdCoupling::GrainAccess::of(mesh_, nscdCoupling::placeOf(dict)))
+    GrainTable(name, runTime, dict, typeName)
 {
     read(dict);
 }
@@ -40,29 +38,27 @@ GrainProbes::GrainProbes(const word& name, const Time& runTime, const dictionary
 bool GrainProbes::read(const dictionary& dict)
 {
     nscdCoupling::readFunction(dict, [this](const input::CheckedEntries& entries) { ids_ = entries.integers("ids", 0); });
-    const bool isRead = fvMeshFunctionObject::read(dict) && writeFile::read(dict);
-    writeHead();
+    const bool isRead = GrainTable::read(dict);
+    writeHead("Grains by their ids: position [m], velocity [m/s]", columns());
     return isRead;
 }
 
 
-void GrainProbes::writeHead()
+std::vector<std::string> GrainProbes::columns() const
 {
-    if (!Pstream::master() || !writeToFile()) return;
-    writeHeader(file(), "Grains by their ids: position [m], velocity [m/s]");
-    writeCommented(file(), "Time");
+    std::vector<std::string> columns;
     for (const long id : ids_)
     {
-        for (const char* column : columns) writeTabbed(file(), std::to_string(id) + "." + column);
+        for (const char* column : columnsOfGrain) columns.push_back(std::to_string(id) + "." + column);
     }
-    file() << endl;
+    return columns;
 }
 
 
 scalarList GrainProbes::values() const
 {
     scalarList values(nColumns*label(ids_.size()), scalar(0));
-    const ::nscd::Grains& grains = access_.grains();
+    const ::nscd::Grains& grains = access().grains();
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         const auto probe = std::find(ids_.begin(), ids_.end(), grains.id[i]);
@@ -83,7 +79,7 @@ scalarList GrainProbes::values() const
 bool GrainProbes::write()
 {
     const scalarList row = values();
-    if (!Pstream::master() || !writeToFile()) return true;
+    if (!hasFile()) return true;
     writeCurrentTime(file());
     for (const scalar value : row) file() << tab << value;
     file() << endl;

@@ -54,16 +54,10 @@ Mixture mixtureOf(const scalarList& all, const scalarList& ofMaterial)
 
 MixingIndex::MixingIndex(const word& name, const Time& runTime, const dictionary& dict)
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, typeName, dict),
-    access_(nscdCoupling::GrainAccess::of(mesh_, nscdCoupling::placeOf(dict)))
+    GrainTable(name, runTime, dict, typeName)
 {
     read(dict);
-    if (!Pstream::master() || !writeToFile()) return;
-    writeHeader(file(), "Lacey's mixing index");
-    writeCommented(file(), "Time");
-    for (const char* column : {"index", "share", "samples", "grainsPerSample"}) writeTabbed(file(), column);
-    file() << endl;
+    writeHead("Lacey's mixing index", {"index", "share", "samples", "grainsPerSample"});
 }
 
 
@@ -71,7 +65,7 @@ bool MixingIndex::read(const dictionary& dict)
 {
     nscdCoupling::readFunction(dict, [this](const input::CheckedEntries& entries)
     {
-        const input::Words& names = access_.materials().names();
+        const input::Words& names = access().materials().names();
         const std::string material = entries.choice("material", names);
         material_ = int(std::find(names.begin(), names.end(), material) - names.begin());
         const std::array<::nscd::Vec3, 2> box = entries.twoVecs("box", input::unit::length);
@@ -83,7 +77,7 @@ bool MixingIndex::read(const dictionary& dict)
         if (double(count[0])*double(count[1])*double(count[2]) > mostSamples) entries.reject("count", "makes too many samples", "10 million");
         for (int k = 0; k < 3; ++k) count_[k] = label(count[k]);
     });
-    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+    return GrainTable::read(dict);
 }
 
 
@@ -104,7 +98,7 @@ bool MixingIndex::write()
 {
     const label samples = count_[0]*count_[1]*count_[2];
     scalarList all(samples, scalar(0)), ofMaterial(samples, scalar(0));
-    const ::nscd::Grains& grains = access_.grains();
+    const ::nscd::Grains& grains = access().grains();
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         const label sample = sampleOf(grains.position[i]);
@@ -114,7 +108,7 @@ bool MixingIndex::write()
     }
     Pstream::listCombineGather(all, plusEqOp<scalar>());
     Pstream::listCombineGather(ofMaterial, plusEqOp<scalar>());
-    if (!Pstream::master() || !writeToFile()) return true;
+    if (!hasFile()) return true;
     const Mixture mixture = mixtureOf(all, ofMaterial);
     writeCurrentTime(file());
     file() << tab << mixture.index << tab << mixture.share << tab << mixture.samples << tab << mixture.perSample << endl;

@@ -4,9 +4,9 @@
 // Writing the whole case and running programs on it.
 #include "programCase.H"
 
-#include "OSspecific.H"
+#include "caseTools.H"
 
-#include <gtest/gtest.h>
+#include "OSspecific.H"
 
 #include <sys/wait.h>
 
@@ -156,6 +156,26 @@ std::vector<double> ProgramCase::reported(const std::string& startTime, const st
         else values.push_back(std::stod(cells.at(wanted)));
     }
     return values;
+}
+
+Files dryFiles(const std::string& grainProperties)
+{
+    Files files{{"constant/grainProperties", grainProperties}};
+    for (const char* file : {"constant/transportProperties", "constant/turbulenceProperties", "0/U", "0/p_rgh"}) files[file] = "";
+    return files;
+}
+
+::testing::AssertionResult succeeds(const ProgramRun& run)
+{
+    return run.status == 0 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << run.status << ": " << run.log;
+}
+
+::testing::AssertionResult isRefused(const ProgramCase& c, const std::vector<std::string>& pieces, const std::string& arguments)
+{
+    const ProgramRun run = c.run("nscdDEMFoam", arguments);
+    if (run.status != 1) return ::testing::AssertionFailure() << "status " << run.status << ": " << run.log;
+    if (!c.reported("0", "time").empty()) return ::testing::AssertionFailure() << "a step was taken: " << run.log;
+    return holds(run.log, pieces);
 }
 
 } // namespace testing

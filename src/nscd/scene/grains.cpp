@@ -36,6 +36,13 @@ void Grains::add(const Vec3& x, double r, double density, int materialIndex, std
     nOwned = size();
 }
 
+void Grains::append(const Grains& more)
+{
+    const auto addTo = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    forEachMember([&](const char*, auto array) { addTo(this->*array, more.*array); });
+    nOwned = size();
+}
+
 void Grains::reserve(std::size_t number)
 {
     forEachArray([number](auto& values) { values.reserve(number); });

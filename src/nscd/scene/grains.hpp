@@ -57,6 +57,9 @@ struct Grains
     /// Errors: std::invalid_argument for a radius or density that is not finite and positive, or a position that is not finite
     void add(const Vec3& position, double radius, double density, int material, std::int64_t id);
 
+    /// Appends the grains of another, all of them owned then; clumps stay as they are.
+    void append(const Grains& more);
+
     /// Makes room for so many grains, or gives back what is not used.
     void reserve(std::size_t number);
     void shrinkToFit();

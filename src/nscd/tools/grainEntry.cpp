@@ -36,13 +36,6 @@ RandomNumbers numbersFor(std::uint64_t seed, std::size_t source, Stream stream, 
     return randomNumbers((std::uint64_t(mixed[0]) << 32) | mixed[1]);
 }
 
-Grains joined(Grains grains, const Grains& more)
-{
-    Grains::forEachMember([&](const char*, auto array) { (grains.*array).insert((grains.*array).end(), (more.*array).begin(), (more.*array).end()); });
-    grains.nOwned = grains.size();
-    return grains;
-}
-
 } // namespace
 
 /// Where grains and walls are.
@@ -184,7 +177,9 @@ bool GrainEntry::enter(GrainDynamics& dynamics, double time)
         while (states_[s].waiting() > 0 && enterNext(s, room, entering)) {}
     }
     if (entering.size() == 0) return false;
-    dynamics.setGrains(joined(dynamics.grains(), entering));
+    Grains grains = dynamics.grains();
+    grains.append(entering);
+    dynamics.setGrains(std::move(grains));
     return true;
 }
 

@@ -23,26 +23,12 @@ const std::string grains =
     "grains { type lattice; box (0.02 0.02 0.02) (0.08 0.08 0.06); count (3 3 2); diameter 0.01; jitter 0.5; }"
     "patches { front { type wall; } back { type exit; } } ";
 
-/// Stopped with status 1 and these pieces of text, and no step was taken.
-::testing::AssertionResult isRefused(const ProgramCase& c, const std::vector<std::string>& pieces, const std::string& arguments = "")
-{
-    const ProgramRun run = c.run("nscdDEMFoam", arguments);
-    if (run.status != 1) return ::testing::AssertionFailure() << "status " << run.status << ": " << run.log;
-    if (!c.reported("0", "time").empty()) return ::testing::AssertionFailure() << "a step was taken: " << run.log;
-    return holds(run.log, pieces);
-}
-
 ::testing::AssertionResult isRefusedWith
 (
     const std::string& file, const std::string& contents, const std::vector<std::string>& pieces
 )
 {
     return isRefused(ProgramCase(Files{{file, contents}}), pieces);
-}
-
-::testing::AssertionResult succeeds(const ProgramRun& run)
-{
-    return run.status == 0 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << run.status << ": " << run.log;
 }
 
 /// A field of the grains at the last written time.

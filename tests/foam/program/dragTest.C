@@ -22,11 +22,6 @@ const std::string firstStep = "endTime 1e-4; deltaT 1e-4; writeInterval 1; write
 const std::string head = "materials { glass { density 2500; } } contacts { default { friction 0.3; } } "
     "patches { front { type wall; } back { type exit; } } ";
 
-::testing::AssertionResult succeeds(const ProgramRun& run)
-{
-    return run.status == 0 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << run.status << ": " << run.log;
-}
-
 std::size_t countOf(const std::string& text, const std::string& word)
 {
     std::size_t count = 0;

@@ -20,11 +20,6 @@ namespace
 
 const std::string lifts = "saffmanLift on; magnusLift on;";
 
-::testing::AssertionResult succeeds(const ProgramRun& run)
-{
-    return run.status == 0 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << run.status << ": " << run.log;
-}
-
 /// U of the start: u = (0, 0, 8 x) in the cells of ProgramCase, so that curl u = (0, -8, 0) away from walls.
 std::string shearedStart()
 {

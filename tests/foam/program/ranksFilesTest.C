@@ -15,11 +15,6 @@ using namespace Foam::nscdCoupling::testing;
 namespace
 {
 
-::testing::AssertionResult succeeds(const ProgramRun& run)
-{
-    return run.status == 0 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << run.status << ": " << run.log;
-}
-
 /// Stopped by an error of OpenFOAM's kind, by none of the system's and not by running out of time, with these pieces of text.
 ::testing::AssertionResult isRefused(const ProgramCase& c, label ranks, const std::vector<std::string>& pieces)
 {

@@ -33,18 +33,6 @@ const std::string lattice = "grains { type lattice; box (0 0 0) (0.1 0.1 0.1); c
 const std::string heap = glass + lattice;
 const std::string wetHeap = wetGlass + lattice;
 
-Files dryFiles(const std::string& properties)
-{
-    Files files{{"constant/grainProperties", properties}};
-    for (const char* file : {"constant/transportProperties", "constant/turbulenceProperties", "0/U", "0/p_rgh"}) files[file] = "";
-    return files;
-}
-
-::testing::AssertionResult succeeds(const ProgramRun& run)
-{
-    return run.status == 0 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << run.status << ": " << run.log;
-}
-
 double largest(const std::vector<double>& values)
 {
     double most = 0;

@@ -31,14 +31,6 @@ nscd::RandomNumbers foamRandom(std::uint64_t seed)
     return [random = Random(label(seed))]() mutable { return random.sample01<scalar>(); };
 }
 
-/// Adds grains behind others, all of them owned.
-void appendGrains(nscd::Grains& grains, const nscd::Grains& more)
-{
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    nscd::Grains::forEachMember([&](const char*, auto array) { append(grains.*array, more.*array); });
-    grains.nOwned = grains.size();
-}
-
 /// Materials of the grains of all ranks.
 std::vector<int> usedMaterials(const nscd::Grains& grains, int nMaterials, const nscd::Exchange& exchange)
 {
@@ -104,7 +96,7 @@ nscd::Grains makeFirstGrains
     const auto keep = [&](nscd::Grains& batch)
     {
         homes.keepOwn(batch);
-        appendGrains(grains, batch);
+        grains.append(batch);
     };
     input::Surroundings around = surroundingsIn(mesh);
     around.shape = scene.space.shape;
