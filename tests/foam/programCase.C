@@ -122,6 +122,10 @@ ProgramRun ProgramCase::decompose(const labelVector& parts, const std::string& a
 
 ProgramRun ProgramCase::runOn(label ranks, const std::string& arguments) const
 {
+    if (std::string(::testing::UnitTest::GetInstance()->current_test_info()->test_suite_name()) != "Ranks")
+    {
+        ADD_FAILURE() << "tests that start several ranks belong in the suite Ranks: beside others they take twenty times as long";
+    }
     // More ranks than cores is fine here; in a container without users, everybody is root.
     std::ostringstream command;
     command << "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout 200 mpirun --oversubscribe"

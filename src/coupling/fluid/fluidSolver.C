@@ -71,6 +71,7 @@ void FluidSolver::solve()
 
 void FluidSolver::solveOuterLoop()
 {
+    updateVolumeSource();
     if (sources_.hasGrains || pressure_.meanFlow().isHeld()) solveWithGrains();
     else solvePlain();
 
@@ -142,6 +143,15 @@ void FluidSolver::solvePlain()
         pressure_.correctPlain(fields_, momentum(), rho());
         options_.correct(fields_.U);
     }
+}
+
+
+void FluidSolver::updateVolumeSource()
+{
+    volScalarField& fraction = sources_.fluidFraction;
+    if (!options_.appliesToField(fraction.name())) return;
+    const tmp<fvScalarMatrix> added(options_(fraction));
+    fields_.volumeSource.reset(new volScalarField("volumeSource", added() & fraction));
 }
 
 

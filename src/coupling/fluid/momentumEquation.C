@@ -46,6 +46,7 @@ tmp<fvVectorMatrix> plainMomentum(FluidFields& fields, const FluidTurbulence& tu
         fvm::ddt(U) + fvm::div(fields.phi, U) + turbulence.minusDivTau(U, U) == options(U)
     );
     if (fields.bodyAcceleration.valid()) momentum.ref() -= fields.bodyAcceleration();
+    if (fields.volumeSource.valid()) momentum.ref() -= fvm::Sp(fields.volumeSource(), U);
     return momentum;
 }
 

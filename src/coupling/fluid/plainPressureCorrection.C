@@ -38,7 +38,7 @@ void PressureCorrection::correctPlain
 
     const surfaceScalarField mobility(fvc::interpolate(rAU));
     constrainPressure(pRgh, U, freeFlux, (mobility/rho)());
-    fields.phi = freeFlux - solvePressure(pRgh, freeFlux, mobility, rho);
+    fields.phi = freeFlux - solvePressure(fields, freeFlux, mobility, rho);
     pRgh.relax();
 
     fields.balancedGradient = fvc::grad(pRgh);

@@ -37,6 +37,24 @@ FluxLaw mixtureLaw(const FluxLaw& fluid, const ResponseTerms& grains)
     };
 }
 
+tmp<volScalarField> divergenceLessSource(const surfaceScalarField& flux, const FluidFields& fields)
+{
+    tmp<volScalarField> divergence(fvc::div(flux));
+    if (fields.volumeSource.valid()) divergence.ref() -= fields.volumeSource();
+    return divergence;
+}
+
+/// A domain that is closed takes no more fluid than sinks remove.
+void refuseNetSource(const volScalarField& source)
+{
+    const scalar net = gSum((source.mesh().V()*source.primitiveField())());
+    const scalar gross = gSum((source.mesh().V()*mag(source.primitiveField()))());
+    if (mag(net) <= 1e-9*gross) return;
+    FatalErrorInFunction
+        << "fvOptions add " << net << " m3/s of fluid to a domain that nothing leaves: the fluid is incompressible. "
+        << "Give a patch a fixed p_rgh, or remove as much as is added" << exit(FatalError);
+}
+
 /// PIMPLE's entries with a reference of the pressure for cases that name none: 0 Pa in the first cell.
 dictionary withReference(const dictionary& pimple, const word& p)
 {
@@ -88,17 +106,20 @@ FluxLaw PressureCorrection::fluidLaw
 
 tmp<surfaceScalarField> PressureCorrection::solvePressure
 (
-    volScalarField& pRgh, const surfaceScalarField& freeFlux, const surfaceScalarField& mobility,
+    FluidFields& fields, const surfaceScalarField& freeFlux, const surfaceScalarField& mobility,
     const dimensionedScalar& rho
 )
 {
+    volScalarField& pRgh = fields.pRgh;
+    if (fields.volumeSource.valid() && pRgh.needReference()) refuseNetSource(fields.volumeSource());
+    const tmp<volScalarField> excess(divergenceLessSource(freeFlux, fields));
     const surfaceScalarField coefficient("mobilityPerDensity", mobility/rho);
     tmp<surfaceScalarField> correction;
     while (pimple_.correctNonOrthogonal())
     {
         fvScalarMatrix equation
         (
-            fvm::laplacian(coefficient, pRgh, "laplacian(rAU,p_rgh)") == fvc::div(freeFlux)
+            fvm::laplacian(coefficient, pRgh, "laplacian(rAU,p_rgh)") == excess()
         );
         equation.setReference(refCell_, refValue_);
         equation.solve(mesh_.solver(pRgh.select(pimple_.finalInnerIter())));
@@ -115,7 +136,7 @@ tmp<surfaceScalarField> PressureCorrection::balanceMixture
 {
     if (!meanFlow_.isHeld())
     {
-        const tmp<surfaceScalarField> correction(solvePressure(fields.pRgh, mixture.free, mixture.mobility, rho));
+        const tmp<surfaceScalarField> correction(solvePressure(fields, mixture.free, mixture.mobility, rho));
         mixtureFlux_.reset(new surfaceScalarField(mixture.free - correction()));
         return correction/mixture.mobility;
     }
@@ -124,7 +145,7 @@ tmp<surfaceScalarField> PressureCorrection::balanceMixture
     tmp<surfaceScalarField> gradientFlux
     (
         uniform
-      + solvePressure(fields.pRgh, mixture.free - mixture.mobility*uniform, mixture.mobility, rho)/mixture.mobility
+      + solvePressure(fields, mixture.free - mixture.mobility*uniform, mixture.mobility, rho)/mixture.mobility
     );
     mixtureFlux_.reset(new surfaceScalarField(mixture.free - mixture.mobility*gradientFlux()));
     const label refCell = fields.pRgh.needReference() ? refCell_ : Pstream::master() ? 0 : -1;
@@ -186,9 +207,9 @@ void PressureCorrection::correctWithGrains
 }
 
 
-ContinuityError PressureCorrection::continuityError(const surfaceScalarField& phi) const
+ContinuityError PressureCorrection::continuityError(const FluidFields& fields) const
 {
-    const volScalarField divergence(fvc::div(mixtureFlux_.valid() ? mixtureFlux_() : phi));
+    const volScalarField divergence(divergenceLessSource(mixtureFlux_.valid() ? mixtureFlux_() : fields.phi, fields));
     const scalar volume = gSum(mesh_.V());
     ContinuityError error;
     error.largest = gMax(mag(divergence.primitiveField())());

@@ -9,6 +9,7 @@
 #include "coupling/case/log/grainTotals.H"
 #include "coupling/case/log/inflow.H"
 #include "coupling/case/log/sceneLog.H"
+#include "coupling/case/start/fluidSourcesCheck.H"
 #include "coupling/case/start/initialChecks.H"
 #include "coupling/case/start/numericsCheck.H"
 #include "coupling/case/start/unsupportedFiles.H"
@@ -60,8 +61,9 @@ GrainProperties readRunnable(const Time& time, const polyMesh& mesh)
 {
     refuseCollatedFiles();
     checkMeshParts(mesh);
-    refuseUnsupportedFiles(time);
-    return readGrainProperties(time, surroundingsIn(mesh));
+    GrainProperties properties = readGrainProperties(time, surroundingsIn(mesh));
+    refuseUnsupportedFiles(time, properties.solvesFluid);
+    return properties;
 }
 
 } // namespace
@@ -159,6 +161,7 @@ void CoupledRun::startFluid()
     checkFieldDimensions(mesh_);
     checkTransportProperties(time_);
     immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());
+    checkFluidSources(fv::options::New(mesh_), sources.fluidFraction.name());
     checkNumerics(immersion_->fluid->phi(), sources.hasGrains || properties_.holdsMeanFlow);
     if (sources.hasGrains && hasExits()) checkNumerics(immersion_->fluid->phi(), properties_.holdsMeanFlow);
 }

@@ -111,7 +111,7 @@ TEST(DragInRuns, spheresInAPlaneFeelTheForceOfSpheres)
 }
 
 // The mean diameter of a cell is made of grains of all ranks: the forces are those of one rank, to what the pressure solver leaves.
-TEST(DragInRuns, aMixOfSizesFeelsTheSameOnAnyNumberOfRanks)
+TEST(Ranks, dragAMixOfSizesAsOneRankDoes)
 {
     const std::string drag = "grains { type table; file \"mix.txt\"; velocity (0.02 0 -0.1); } forces { drag { law Beetstra; polydisperse ";
     const Files mixed{{"constant/grainProperties", head + drag + "on; } }"}}, equal{{"constant/grainProperties", head + drag + "off; } }"}};

@@ -63,6 +63,14 @@ std::map<std::string, double> lastRow(const ProgramCase& c, const std::string& f
     return isRefused(ProgramCase(weightlessFiles(risingGrains), functionsOf(functions)), pieces);
 }
 
+/// The run on one rank, or cut into as many parts on as many.
+::testing::AssertionResult succeedsIn(const ProgramCase& c, const labelVector& parts)
+{
+    if (cmptProduct(parts) == 1) return succeeds(c.run());
+    const ::testing::AssertionResult isCut = succeeds(c.decompose(parts));
+    return isCut ? succeeds(c.runOn(cmptProduct(parts))) : isCut;
+}
+
 const std::string flux = "flux { type grainFlux; planes {"
     "middle { point (0 0 0.105); normal (0 0 1); } down { point (0 0 0.02); normal (0 0 -1); } rim { point (0 0 0.1995); normal (0 0 1); } } }";
 
@@ -111,7 +119,7 @@ TEST(GrainFlux, countsGrainsThroughPlanesAndExits)
     expectFluxToTheEnd(c, "0.01");
 }
 
-TEST(GrainFlux, countsOnTwoRanksAndOverARestartOnOthers)
+TEST(Ranks, countGrainsThroughPlanesAndOverARestartOnOthers)
 {
     const ProgramCase c(weightlessFiles(risingGrains), functionsOf(preciseFlux()));
     EXPECT_TRUE(succeeds(c.decompose(labelVector(1, 1, 2))));
@@ -143,22 +151,25 @@ TEST(GrainFlux, refusesBadInput)
     EXPECT_TRUE(isRefused(start + "executeInterval 2; }", {"system/controlDict", "line 8", "executeInterval", "every step"}));
 }
 
-TEST(BedHeight, isThatOfALattice)
+namespace
 {
-    // Layers 0.01 to 0.09 m high at the start, 0.053 m higher after 10 steps: four fifths of the mass are up to the fourth one.
+
+/// Layers 0.01 to 0.09 m high at the start, 0.053 m higher after 10 steps: four fifths of the mass are up to the fourth one.
+void expectHeightOfALattice(const labelVector& parts)
+{
     const std::string bed = "bed { type bedHeight; floor { point (0 0 0.003); normal (0 0 2); } share 0.79; writePrecision 9; }";
-    ProgramCase alone(weightlessFiles(risingGrains), functionsOf(bed)), together(weightlessFiles(risingGrains), functionsOf(bed));
-    EXPECT_TRUE(succeeds(alone.run()));
-    EXPECT_TRUE(succeeds(together.decompose(labelVector(1, 1, 2))));
-    EXPECT_TRUE(succeeds(together.runOn(2)));
-    for (const ProgramCase* c : {&alone, &together})
-    {
-        std::map<std::string, double> row = lastRow(*c, "bed/0/bedHeight.dat");
-        EXPECT_NEAR(row.at("Time"), 0.01, 1e-9);
-        EXPECT_NEAR(row.at("twiceMean"), 2*(0.05 + 0.053 - 0.003), 1e-8);
-        EXPECT_NEAR(row.at("share"), 0.07 + 0.053 - 0.003, 1e-8);
-    }
+    const ProgramCase c(weightlessFiles(risingGrains), functionsOf(bed));
+    EXPECT_TRUE(succeedsIn(c, parts));
+    std::map<std::string, double> row = lastRow(c, "bed/0/bedHeight.dat");
+    EXPECT_NEAR(row.at("Time"), 0.01, 1e-9);
+    EXPECT_NEAR(row.at("twiceMean"), 2*(0.05 + 0.053 - 0.003), 1e-8);
+    EXPECT_NEAR(row.at("share"), 0.07 + 0.053 - 0.003, 1e-8);
 }
+
+} // namespace
+
+TEST(BedHeight, isThatOfALattice) { expectHeightOfALattice(labelVector(1, 1, 1)); }
+TEST(Ranks, findTheHeightOfALattice) { expectHeightOfALattice(labelVector(1, 1, 2)); }
 
 TEST(BedHeight, refusesBadInput)
 {
@@ -193,35 +204,35 @@ std::string mixing(const std::string& samples)
 std::map<std::string, double> mixtureOf(const std::string& grains, const std::string& samples, const labelVector& parts)
 {
     const ProgramCase c(weightlessFiles(grains), functionsOf(mixing(samples)));
-    if (cmptProduct(parts) > 1)
-    {
-        EXPECT_TRUE(succeeds(c.decompose(parts)));
-        EXPECT_TRUE(succeeds(c.runOn(cmptProduct(parts))));
-    }
-    else EXPECT_TRUE(succeeds(c.run()));
+    EXPECT_TRUE(succeedsIn(c, parts));
     return lastRow(c, "mixing/0/mixingIndex.dat");
 }
 
 } // namespace
 
-TEST(MixingIndex, isZeroOfTwoHalvesAndThatOfARegularMixtureAboveOne)
+namespace
 {
-    for (const labelVector& parts : {labelVector(1, 1, 1), labelVector(1, 2, 1)})
-    {
-        std::map<std::string, double> row = mixtureOf(segregated, "count (1 1 2);", parts);
-        EXPECT_NEAR(row.at("index"), 0, 1e-8);
-        EXPECT_NEAR(row.at("share"), 0.5, 1e-8);
-        EXPECT_EQ(row.at("samples"), 2);
-        EXPECT_EQ(row.at("grainsPerSample"), 32);
-        // Each of the four samples has 8 red and 8 blue ones: S = 0, M = 1/(1 - 1/n).
-        row = mixtureOf(regular, "count (1 1 4);", parts);
-        EXPECT_NEAR(row.at("index"), 1/(1 - 1.0/16), 1e-8);
-        EXPECT_EQ(row.at("samples"), 4);
-        // Two samples side by side part the same grains.
-        row = mixtureOf(regular, "count (2 1 1);", parts);
-        EXPECT_NEAR(row.at("index"), 0, 1e-8);
-    }
+
+void expectMixingIndices(const labelVector& parts)
+{
+    std::map<std::string, double> row = mixtureOf(segregated, "count (1 1 2);", parts);
+    EXPECT_NEAR(row.at("index"), 0, 1e-8);
+    EXPECT_NEAR(row.at("share"), 0.5, 1e-8);
+    EXPECT_EQ(row.at("samples"), 2);
+    EXPECT_EQ(row.at("grainsPerSample"), 32);
+    // Each of the four samples has 8 red and 8 blue ones: S = 0, M = 1/(1 - 1/n).
+    row = mixtureOf(regular, "count (1 1 4);", parts);
+    EXPECT_NEAR(row.at("index"), 1/(1 - 1.0/16), 1e-8);
+    EXPECT_EQ(row.at("samples"), 4);
+    // Two samples side by side part the same grains.
+    row = mixtureOf(regular, "count (2 1 1);", parts);
+    EXPECT_NEAR(row.at("index"), 0, 1e-8);
 }
+
+} // namespace
+
+TEST(MixingIndex, isZeroOfTwoHalvesAndThatOfARegularMixtureAboveOne) { expectMixingIndices(labelVector(1, 1, 1)); }
+TEST(Ranks, findMixingIndices) { expectMixingIndices(labelVector(1, 2, 1)); }
 
 TEST(MixingIndex, weighsSamplesByTheirGrains)
 {
@@ -242,28 +253,31 @@ TEST(MixingIndex, refusesBadInput)
     EXPECT_TRUE(isRefused(start + "material glass; " + box + "count (1 1 1);\nmaterials 3; }", {"line 9", "nearest: material"}));
 }
 
-TEST(GrainProbes, followGrainsUntilTheyLeave)
+namespace
+{
+
+void expectProbesOfTwoGrains(const labelVector& parts)
 {
     const std::string probes = "probes { type grainProbes; ids (0 79); writePrecision 9; }";
-    for (const labelVector& parts : {labelVector(1, 1, 1), labelVector(1, 1, 2)})
-    {
-        const ProgramCase c(weightlessFiles(risingGrains), functionsOf(probes, "endTime 0.021; writeInterval 21;"));
-        const bool isAlone = cmptProduct(parts) == 1;
-        EXPECT_TRUE(isAlone || succeeds(c.decompose(parts)));
-        EXPECT_TRUE(succeeds(isAlone ? c.run() : c.runOn(2)));
-        // Twenty-one steps: the first grain is 0.1113 m higher, the last one, of the topmost layer, has left in the last of them.
-        std::map<std::string, double> row = lastRow(c, "probes/0/grainProbes.dat");
-        EXPECT_EQ(row.at("0.present"), 1);
-        EXPECT_NEAR(row.at("0.x"), 0.0125, 1e-8);
-        EXPECT_NEAR(row.at("0.y"), 0.0125, 1e-8);
-        EXPECT_NEAR(row.at("0.z"), 0.01 + 0.1113, 1e-8);
-        EXPECT_NEAR(row.at("0.uz"), 5.3, 1e-8);
-        EXPECT_EQ(row.at("79.present"), 0);
-        EXPECT_EQ(row.at("79.z"), 0);
-        const std::string text = c.contents("postProcessing/probes/0/grainProbes.dat");
-        EXPECT_NE(text.find("79.uz"), std::string::npos);
-    }
+    const ProgramCase c(weightlessFiles(risingGrains), functionsOf(probes, "endTime 0.021; writeInterval 21;"));
+    EXPECT_TRUE(succeedsIn(c, parts));
+    // Twenty-one steps: the first grain is 0.1113 m higher, the last one, of the topmost layer, has left in the last of them.
+    std::map<std::string, double> row = lastRow(c, "probes/0/grainProbes.dat");
+    EXPECT_EQ(row.at("0.present"), 1);
+    EXPECT_NEAR(row.at("0.x"), 0.0125, 1e-8);
+    EXPECT_NEAR(row.at("0.y"), 0.0125, 1e-8);
+    EXPECT_NEAR(row.at("0.z"), 0.01 + 0.1113, 1e-8);
+    EXPECT_NEAR(row.at("0.uz"), 5.3, 1e-8);
+    EXPECT_EQ(row.at("79.present"), 0);
+    EXPECT_EQ(row.at("79.z"), 0);
+    const std::string text = c.contents("postProcessing/probes/0/grainProbes.dat");
+    EXPECT_NE(text.find("79.uz"), std::string::npos);
 }
+
+} // namespace
+
+TEST(GrainProbes, followGrainsUntilTheyLeave) { expectProbesOfTwoGrains(labelVector(1, 1, 1)); }
+TEST(Ranks, followGrainsUntilTheyLeave) { expectProbesOfTwoGrains(labelVector(1, 1, 2)); }
 
 TEST(GrainProbes, refuseBadInput)
 {

@@ -340,16 +340,19 @@ TEST(Ranks, moveGrainsInAFluidAsOneRankDoes)
     }
 }
 
-TEST(Ranks, liftGrainsAsOneRankDoes)
+namespace
 {
-    const std::string spinning = with(wetHeap, "jitter 0.7;", "jitter 0.7; omega (40 -30 20);") + closed;
-    const Files files{{"constant/grainProperties", spinning + "forces { saffmanLift on; magnusLift on; }"}, {"system/fvSolution", solutionWith(8)}};
+
+/// Runs a wet heap with more files, on one rank and on two and three; what the files add moves it by ten times what ranks may differ by.
+void expectSameMotionOnRanks(const std::string& heap, const Files& more)
+{
     const std::string control = "writeFormat binary; endTime 0.012; writeInterval 12;";
-    const Files plain{{"constant/grainProperties", spinning}, {"system/fvSolution", solutionWith(8)}};
+    const Files plain{{"constant/grainProperties", heap}, {"system/fvSolution", solutionWith(8)}};
+    Files files = more;
+    files.insert(plain.begin(), plain.end());
     const ProgramCase alone(files, control), without(plain, control);
     EXPECT_TRUE(succeeds(alone.run()));
     EXPECT_TRUE(succeeds(without.run()));
-    // The lift moves the heap by ten times what ranks may differ by.
     EXPECT_GT(difference(alone, without, "massCenterX", 8) + difference(alone, without, "massCenterY", 8), 1e-3*diameter);
     for (const labelVector& parts : {labelVector(2, 1, 1), labelVector(1, 1, 3)})
     {
@@ -361,6 +364,24 @@ TEST(Ranks, liftGrainsAsOneRankDoes)
         expectSameMotion(alone, together, 8);
         EXPECT_LT(largest(together.reported("0", "momentumError")), 1e-9);
     }
+}
+
+} // namespace
+
+TEST(Ranks, liftGrainsAsOneRankDoes)
+{
+    const std::string spinning = with(wetHeap, "jitter 0.7;", "jitter 0.7; omega (40 -30 20);") + closed;
+    expectSameMotionOnRanks(spinning, {{"constant/grainProperties", spinning + "forces { saffmanLift on; magnusLift on; }"}});
+}
+
+/// A force on the fluid, whose pressure pushes the grains, and fluid from a point in one corner.
+TEST(Ranks, haveSourcesInTheFluidAsOneRankDoes)
+{
+    const std::string options =
+        "sideways { type vectorSemiImplicitSource; selectionMode all; volumeMode specific; injectionRateSuSp { U ((30 20 0) 0); } }"
+        "spring { type scalarSemiImplicitSource; selectionMode points; points ((0.01 0.01 0.03)); volumeMode absolute; "
+        "injectionRateSuSp { alpha.fluid (1e-4 0); } }";
+    expectSameMotionOnRanks(wetHeap + closed, {{"constant/fvOptions", options}});
 }
 
 TEST(Ranks, goOnWithAFluidAsIfNeverStopped)

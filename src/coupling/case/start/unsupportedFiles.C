@@ -22,11 +22,11 @@ IOdictionary readIfPresent(const Time& time, const fileName& folder, const word&
 }
 
 /// Options and zones are dictionaries. One that is switched off is refused too: OpenFOAM makes it all the same.
-void refuseAny(const IOdictionary& dict, const string& what)
+void refuseAny(const IOdictionary& dict, const string& problem, const string& allowed)
 {
     for (const entry& part : dict)
     {
-        if (part.isDict()) fail({placeOf(dict, part.keyword()), "asks for " + what + ", which nscdDEMFoam does not have", "", "no such file"});
+        if (part.isDict()) fail({placeOf(dict, part.keyword()), problem, "", allowed});
     }
 }
 
@@ -40,12 +40,17 @@ void refuseMovingMesh(const IOdictionary& dict)
 } // namespace
 
 
-void refuseUnsupportedFiles(const Time& time)
+void refuseUnsupportedFiles(const Time& time, bool solvesFluid)
 {
     for (const word& folder : {time.constant(), time.system()})
     {
-        refuseAny(readIfPresent(time, folder, "fvOptions"), "a source in the fluid's equations");
-        refuseAny(readIfPresent(time, folder, "MRFProperties"), "a rotating frame of reference");
+        if (!solvesFluid)
+        {
+            const string problem = "asks for a source in the fluid's equations, where `fluid none;` solves none";
+            refuseAny(readIfPresent(time, folder, "fvOptions"), problem, "no such file, or a fluid");
+        }
+        const string problem = "asks for a rotating frame of reference, which nscdDEMFoam does not have";
+        refuseAny(readIfPresent(time, folder, "MRFProperties"), problem, "no such file");
     }
     refuseMovingMesh(readIfPresent(time, time.constant(), "dynamicMeshDict"));
 }
