@@ -182,7 +182,7 @@ void CoupledRun::advanceGrains()
     for (std::size_t i = 0; i < drag.implicit.size(); ++i)
     {
         const Vec3& u = step_.at.velocity[i];
-        step_.received[i] += deltaT*(drag.implicit[i]*(u - grains.velocity[i]) + drag.remainder[i]*(u - before[i]));
+        step_.received[i] += deltaT*(drag.implicit[i]*(u - grains.velocity[i]) + drag.remainder[i]*(u - before[i]) + drag.pull(i, u));
     }
     return report;
 }

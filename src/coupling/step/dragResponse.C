@@ -74,7 +74,7 @@ GrainResponse contactAwareResponse
     {
         if (grains.isFixed[i]) continue;
         const scalar gain = mobility[i].share*drag.velocityFactor[i]*deltaT/grains.mass[i];
-        const scalar gamma = drag.implicit[i] + drag.remainder[i];
+        const scalar gamma = drag.fluidCoefficient(i);
         response.slip[i] = gain*gamma;
         if (mobility[i].isTouched) response.slip[i] = boundedSlip(response.slip[i], in, gamma*deltaT, i);
         response.intercept[i] -= response.slip[i]*in.at.velocity[i];

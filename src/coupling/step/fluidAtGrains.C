@@ -7,6 +7,7 @@
 #include "coupling/case/walls/patchRoles.H"
 
 #include "fvcCurl.H"
+#include "fvcGrad.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>
@@ -24,7 +25,7 @@ namespace
 void keepInPlane(FluidAtGrains& at, int emptyAxis)
 {
     if (emptyAxis < 0) return;
-    for (std::vector<Vec3>* field : {&at.velocity, &at.pressureGradient, &at.divTau})
+    for (std::vector<Vec3>* field : {&at.velocity, &at.pressureGradient, &at.divTau, &at.convection})
     {
         for (Vec3& value : *field) value[emptyAxis] = 0;
     }
@@ -38,6 +39,7 @@ struct WantedFields
     std::vector<VectorSample> vectors;
     tmp<volScalarField> nu;
     tmp<volVectorField> spin;
+    tmp<volVectorField> convection;
 
     WantedFields(const FluidSolver& fluid, const volScalarField* fluidFraction, unsigned wanted, FluidAtGrains& at)
     {
@@ -48,6 +50,11 @@ struct WantedFields
         {
             spin = 0.5*fvc::curl(fluid.U());
             vectors.push_back({spin().primitiveField(), at.spin});
+        }
+        if (wanted & reads::convection)
+        {
+            convection = fluid.U() & fvc::grad(fluid.U());
+            vectors.push_back({convection().primitiveField(), at.convection});
         }
         if (wanted & reads::viscosity)
         {

@@ -49,6 +49,12 @@ GrainAmounts amountsOf
         const Vec3 repaid = repaidShare/deltaT*debt[i];
         amounts.acceleration[i] =
             (drag.implicit[i]*(intercept + own) + drag.remainder[i]*(grains.velocity[i] + own) + repaid)/fluidDensity;
+        if (!drag.addedMass.empty())
+        {
+            const scalar pulled = drag.addedMass[i]/(drag.deltaT*fluidDensity);
+            amounts.drag[i] += pulled;
+            amounts.acceleration[i] += pulled*(drag.startFluid[i] + own);
+        }
         amounts.carried[i] = grains.volume(i)*intercept;
         if (response.isZero) continue;
         amounts.pressure[i] = drag.implicit[i]*response.mobility[i];

@@ -374,6 +374,11 @@ TEST(Ranks, liftGrainsAsOneRankDoes)
     expectSameMotionOnRanks(spinning, {{"constant/grainProperties", spinning + "forces { saffmanLift on; magnusLift on; }"}});
 }
 
+TEST(Ranks, addMassToGrainsAsOneRankDoes)
+{
+    expectSameMotionOnRanks(wetHeap + closed, {{"constant/grainProperties", wetHeap + closed + "forces { addedMass on; }"}});
+}
+
 /// A force on the fluid, whose pressure pushes the grains, and fluid from a point in one corner.
 TEST(Ranks, haveSourcesInTheFluidAsOneRankDoes)
 {

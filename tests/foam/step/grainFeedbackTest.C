@@ -50,6 +50,9 @@ struct Feedback
         for (Vec3& v : grains.velocity) v = random.vec();
         mapping->sample({}, {{u, step.at.velocity}, {gradient, step.at.pressureGradient}});
         step.drag = {random.numbers(n, 10, 50), random.numbers(n, 0, 5), random.numbers(n, 0.1, 1), {}, 0};
+        step.drag.addedMass = random.numbers(n, 0.01, 0.05);
+        step.drag.startFluid = random.vecs(n);
+        step.drag.deltaT = deltaT;
         step.response = {random.vecs(n), random.numbers(n, 0, 1), random.numbers(n, 0, 0.1), false};
         step.startVelocity = grains.velocity;
         step.received = random.vecs(n);
@@ -137,7 +140,8 @@ TEST(GrainFeedback, theDebtIsWhatWasPaidAndNotReceivedLessTheShareRepaid)
     {
         const Vec3 u = step.at.velocity[i];
         const Vec3 answer = step.response.intercept[i] + step.response.slip[i]*u - step.response.mobility[i]*step.at.pressureGradient[i];
-        const Vec3 paid = deltaT*(step.drag.implicit[i]*(u - answer) + step.drag.remainder[i]*(u - step.startVelocity[i]));
+        const Vec3 slipping = step.drag.implicit[i]*(u - answer) + step.drag.remainder[i]*(u - step.startVelocity[i]);
+        const Vec3 paid = deltaT*slipping + step.drag.addedMass[i]*(u - step.drag.startFluid[i]);
         EXPECT_LT((feedback.debt[i] - (before[i]/2 + paid - step.received[i])).norm(), 1e-13) << i;
         change += feedback.debt[i] - before[i];
         size += feedback.debt[i].norm();

@@ -73,6 +73,7 @@ const std::vector<std::pair<const char*, bool>> forceSwitches =
     {"pressureGradient", true},
     {"viscous", true},
     {"spinDrag", true},
+    {"addedMass", false},
     {"saffmanLift", false},
     {"magnusLift", false}
 };

@@ -4,6 +4,7 @@
 // The rows.
 #include "coupling/step/forces/forceTable.H"
 
+#include "coupling/step/forces/addedMass.H"
 #include "coupling/step/forces/drag.H"
 #include "coupling/step/forces/magnusLift.H"
 #include "coupling/step/forces/pressureForce.H"
@@ -26,6 +27,7 @@ const std::vector<ForceRow>& forceTable()
         {"weight",            always,     needs::nothing,                                 forces::weight},
         {"pressureGradient",  switched,   needs::fluid,                                   forces::pressureForce},
         {"viscous",           switched,   needs::fluid,                                   forces::viscousForce},
+        {"addedMass",         switched,   needs::fluid,                                   forces::addedMass},  // drag reads its mass
         {"drag",              switched,   needs::fluid,                                   forces::drag},
         {"spinDrag",          switched,   needs::fluid | needs::dragLaw | needs::turning, forces::spinDrag},
         {"saffmanLift",       switched,   needs::fluid | needs::spheres,                  forces::saffmanLift},

@@ -129,6 +129,7 @@ std::vector<Vec3> GrainForces::explicitForces(const ForceInputs& in, const std::
 LinearDrag GrainForces::linearize(const ForceInputs& in, const StepInputs& step) const
 {
     LinearDrag drag = zeroDrag(in.grains.size());
+    drag.deltaT = step.deltaT;
     for (const GrainForce& force : forces_)
     {
         if (force.linearize) force.linearize(in, step, drag);
@@ -141,6 +142,9 @@ LinearDrag GrainForces::splitAgain(const ::nscd::Grains& grains, const LinearDra
 {
     LinearDrag part = zeroDrag(grains.size());
     part.spin = whole.spin;
+    part.addedMass = whole.addedMass;
+    part.startFluid = whole.startFluid;
+    part.deltaT = whole.deltaT;
     part.largestStiffness = whole.largestStiffness;
     for (const GrainForce& force : forces_)
     {
@@ -162,6 +166,7 @@ LinearDrag GrainForces::splitAgain(const ::nscd::Grains& grains, const LinearDra
     {
         const Vec3& u = in.at.velocity[i];
         external.force[i] += drag.implicit[i]*u + drag.remainder[i]*(u - in.grains.velocity[i]);
+        if (!drag.addedMass.empty()) external.force[i] += drag.pull(i, u);
     }
     external.implicitSpinDrag = drag.spin;
     external.torque = emptySums(drag.spin.size());
