@@ -94,8 +94,8 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_FALSE(p.contact.accelerate);
     EXPECT_EQ(p.contact.vectorPath, "portable");
     EXPECT_EQ(p.voidFraction.method, "satellite");
-    EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("diffusionLength"), 1.5);
-    EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("minFluidFraction"), 0.3);
+    EXPECT_EQ(p.voidFraction.forMapping(0.5, 1).get<scalar>("diffusionLength"), 1.5);
+    EXPECT_EQ(p.voidFraction.forMapping(0.5, 1).get<scalar>("minFluidFraction"), 0.3);
     EXPECT_EQ(p.forces.drag.law, "DiFelice");
     EXPECT_EQ(p.forces.drag.weight, "backwardEuler");
     EXPECT_FALSE(p.forces.isOn("pressureGradient") || p.forces.isOn("viscous") || p.solvesFluid || p.hasFeedback);
@@ -105,6 +105,18 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_EQ(p.meanFlowDict().get<vector>("target"), vector(0, 0, 0.5));
     EXPECT_EQ(p.time.maxGrainDisplacement, 0.2);
     EXPECT_EQ(p.time.subCycles, 3);
+}
+
+// A cell of width h spreads as a kernel of variance h^2/12 does; smoothing adds what is missing to that of the width wanted.
+TEST(GrainProperties, smoothingMakesUpForWhatCellsLackToAWidth)
+{
+    VoidFractionSettings settings;
+    settings.filterWidth = 2;
+    const auto variance = [](scalar width) { return sqr(width)/(8*std::log(2.0)); };
+    const scalar d = 1e-3;
+    for (const scalar cell : {0.25*d, d, 2*d}) EXPECT_NEAR(variance(settings.diffusionLength(d, cell)) + sqr(cell)/12, variance(2*d), 1e-15) << cell;
+    EXPECT_EQ(settings.diffusionLength(d, 3*d), 0);
+    EXPECT_TRUE(holds(complaintAbout(first + "voidFraction { diffusion 3; filterWidth 2; }"), {"filterWidth", "diffusion", "0 for one"}));
 }
 
 TEST(GrainProperties, optionalLawsAndDrivenGrains)
@@ -261,6 +273,7 @@ TEST(BadGrainProperties, aMisspeltKeywordIsFoundInEverySubDictionary)
         {first + "planes { a { point (0 0 0); normal (0 0 1); material glass; ", "pont", "point", " (0 0 0); } }"},
         {first + "solver { ", "maxSweep", "maxSweeps", " 3; }"},
         {first + "voidFraction { ", "difusion", "diffusion", " 3; }"},
+        {first + "voidFraction { ", "filterWith", "filterWidth", " 2; }"},
         {first + "forces { ", "viscuous", "viscous", " on; }"},
         {first + "forces { ", "safmanLift", "saffmanLift", " on; }"},
         {first + "forces { drag { ", "lav", "law", " Ergun; } }"},

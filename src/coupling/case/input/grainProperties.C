@@ -61,6 +61,11 @@ VoidFractionSettings readVoidFraction(const CheckedEntries& top)
     VoidFractionSettings settings;
     settings.method = given.choice("method", toWords(voidFractionMethodNames()), settings.method);
     settings.diffusion = given.number("diffusion", input::atLeast(0), settings.diffusion);
+    settings.filterWidth = given.number("filterWidth", input::atLeast(0), settings.filterWidth);
+    if (settings.diffusion > 0 && settings.filterWidth > 0)
+    {
+        fail({given.place("filterWidth"), "says how much to smooth, as `diffusion` does beside it", messageText(settings.filterWidth), "0 for one of the two"});
+    }
     settings.minFluidFraction = given.number("minFluidFraction", input::within(0, 1), settings.minFluidFraction);
     given.finish();
     return settings;
@@ -166,11 +171,19 @@ std::unique_ptr<IOdictionary> readWithoutTraps(const IOobject& io)
 } // namespace
 
 
-dictionary VoidFractionSettings::forMapping(scalar meanDiameter) const
+scalar VoidFractionSettings::diffusionLength(scalar meanDiameter, scalar cellSize) const
+{
+    if (filterWidth == 0) return diffusion*meanDiameter;
+    const scalar ofCells = 8*std::log(2.0)/12*sqr(cellSize);
+    return std::sqrt(max(scalar(0), sqr(filterWidth*meanDiameter) - ofCells));
+}
+
+
+dictionary VoidFractionSettings::forMapping(scalar meanDiameter, scalar cellSize) const
 {
     dictionary dict("voidFraction");
     dict.add("method", word(method));
-    dict.add("diffusionLength", diffusion*meanDiameter);
+    dict.add("diffusionLength", diffusionLength(meanDiameter, cellSize));
     dict.add("minFluidFraction", minFluidFraction);
     return dict;
 }
