@@ -38,29 +38,27 @@ nscd::EntrySource source(const nscd::Region& region, double rate)
 /// Grains that others have to share with those that enter, of all ranks; the walls are a floor, a plate and two sides.
 Scene beginning()
 {
-    Scene scene;
-    scene.materials.add("glass");
-    scene.materials.setPair(0, 0, {0.3, 0.0});
+    Scene scene(3, 0.3, 0.0);
     for (int k = 0; k < 60; ++k)
     {
         scene.grains.add({0.01 + 0.02*(k % 5), 0.01 + 0.02*(k/5 % 4), 0.02 + 0.04*(k/20)}, 0.004 + 0.0001*(k % 7), 2500, 0, k);
     }
-    const int box = scene.walls.addPatch("box", 0);
+    const int box = scene.walls.addPatch("box", 1);
     scene.walls.addPlane(box, Vec3::Zero(), Vec3::UnitZ());
     scene.walls.addPlane(box, Vec3::Zero(), Vec3::UnitX());
     scene.walls.addPlane(box, {0.1, 0, 0}, -Vec3::UnitX());
-    scene.walls.addPolygon(scene.walls.addPatch("plate", 0), {{0.03, 0.02, 0.1}, {0.07, 0.02, 0.1}, {0.07, 0.06, 0.1}, {0.03, 0.06, 0.1}});
+    scene.walls.addPolygon(scene.walls.addPatch("plate", 1), {{0.03, 0.02, 0.1}, {0.07, 0.02, 0.1}, {0.07, 0.06, 0.1}, {0.03, 0.06, 0.1}});
     scene.box.length[1] = 0.08;
     return scene;
 }
 
-/// Two sources, the second of which reaches out of the space, as all ranks' grains in the order of their identities.
+/// Two sources, the second of which reaches out of the space.
 nscd::GrainEntry entryInto(const Scene& scene, const std::shared_ptr<nscd::Exchange>& exchange, const std::function<int(const Vec3&)>& rankOf)
 {
     nscd::EntrySpace space{scene.grains.shape, scene.box, exchange, rankOf};
     const std::vector<nscd::EntrySource> sources =
     {
-        source(nscd::boxRegion({0, 0, 0}, {0.1, 0.08, 0.12}), 300), source(nscd::sphereRegion({0.05, 0, 0.15}, 0.04), 200)
+        source(nscd::boxRegion({0, 0, 0}, {0.1, 0.08, 0.12}), 900), source(nscd::sphereRegion({0.05, 0, 0.15}, 0.04), 600)
     };
     return nscd::GrainEntry(sources, space, std::vector<nscd::EntryState>(2), 60);
 }
