@@ -62,7 +62,7 @@ public:
         time_(start.time),
         step_(start.step),
         forces_(nscd::gravityForces(start.grains, scene.gravity, scene.run.deltaT)),
-        entry_(scene.entries, scene.shape, scene.box, entryStates(scene, start), start.nextId),
+        entry_(scene.entries, {scene.shape, scene.box}, entryStates(scene, start), start.nextId),
         log_(os, start.time, scene.run.endTime),
         grainSeries_(results.grainSeries()),
         contactSeries_(results.contactSeries()),
@@ -117,7 +117,7 @@ private:
     /// Nothing where no source lets grains in.
     void letIn(double next)
     {
-        if (entry_.enter(dynamics_, next)) forces_ = nscd::gravityForces(dynamics_.grains(), scene_.gravity, scene_.run.deltaT);
+        if (entry_.enter(dynamics_, next) > 0) forces_ = nscd::gravityForces(dynamics_.grains(), scene_.gravity, scene_.run.deltaT);
     }
 
     bool isWriteTime(double next) const

@@ -75,15 +75,8 @@ void readPeriodic(const CheckedEntries& top, SceneSettings& scene)
 
 void checkMaterialsAndPeriods(const SceneSettings& scene, const nscd::Grains& grains)
 {
-    std::vector<int> materials = input::usedMaterials(grains);
-    double largest = input::largestDiameter(grains);
-    for (const nscd::EntrySource& entry : scene.entries)
-    {
-        materials.push_back(entry.material);
-        largest = std::max(largest, entry.sizes.largest);
-    }
-    input::checkPairs(scene.materials, materials, scene.walls);
-    input::checkPeriods(scene.box, largest, scene.periodicPlace);
+    input::checkPairs(scene.materials, input::usedMaterials(scene, grains), scene.walls);
+    input::checkPeriods(scene.box, input::largestDiameter(scene, grains), scene.periodicPlace);
 }
 
 void checkOverlaps(const SceneSettings& scene, const nscd::Grains& grains, const nscd::Walls& walls, double maxShare)
@@ -104,7 +97,6 @@ input::Surroundings SceneSettings::surroundings() const
     input::Surroundings around;
     around.shape = shape;
     around.box = box;
-    around.hasEntries = true;
     around.pathOfGrains = around.pathOfSurface = [this](const std::string& path) { return pathOf(path); };
     return around;
 }
@@ -119,7 +111,7 @@ SceneSettings parseScene(const std::string& text, const std::string& file)
     scene.run = readRun(top);
     readPeriodic(top, scene);
     input::readScene(top, scene.surroundings(), scene);
-    if (scene.sources.empty() && scene.entries.empty()) throw InputError({top.place("grains"), "names no source of grains", "", "grains { type lattice; ... }"});
+    if (!scene.hasAnySource()) throw InputError({top.place("grains"), "names no source of grains", "", "grains { type lattice; ... }"});
     nscd::moveWalls(scene.walls, 0.0);
     top.finish();
     return scene;

@@ -35,11 +35,14 @@ bool CoupledRun::nextStep()
     if (!time_.run()) return false;
     if (reach_.isKnown) adjustTimeStep(time_, reach_, properties_.time.maxGrainDisplacement);
     dynamics_->setTime(time_.value());
-    ++time_;
     balanceRanks();
+    // Before the time moves on: the void fraction that the step starts from has the grains that enter in it.
+    letIn(time_.value() + time_.deltaTValue());
+    ++time_;
     driveTo(time_.value(), time_.deltaTValue());
     if (!hasFluid()) return true;
     immersion_->sources.hasGrains = feedsBack();
+    immersion_->sources.hasResponse = feedsBack() && !immersion_->sources.isStatic;
     immersion_->sources.beginStep();
     return true;
 }
@@ -149,7 +152,7 @@ void CoupledRun::advanceGrains()
     const auto timer = timing_.time(StepPart::advanceGrains);
     const input::WithoutTraps traps;
     access_.beginStep();
-    if (!hasGrains()) return;
+    if (!hasGrains()) return reportNoGrains();
     const label subCycles = properties_.time.subCycles;
     const scalar deltaT = time_.deltaTValue()/subCycles;
     step_.received.assign(dynamics_->grains().size(), Vec3::Zero());
@@ -185,6 +188,14 @@ void CoupledRun::advanceGrains()
         step_.received[i] += deltaT*(drag.implicit[i]*(u - grains.velocity[i]) + drag.remainder[i]*(u - before[i]) + drag.pull(i, u));
     }
     return report;
+}
+
+void CoupledRun::reportNoGrains()
+{
+    step_.grainReport = ::nscd::StepReport();
+    step_.momentumError = 0;
+    step_.momentumDebt = 0;
+    reach_.displacement = 0;
 }
 
 void CoupledRun::recordFluidForce()
@@ -224,7 +235,7 @@ void CoupledRun::depositGrains()
     if (!hasGrains()) return;
     if (!hasFluid())
     {
-        if (locations_) removeExited(locations_->update(dynamics_->grains()));
+        if (locations_ && hasExits()) removeExited(locations_->update(dynamics_->grains()));
         else if (homes_ && hasExits()) removeExited(cellsElsewhere());
         return;
     }

@@ -6,6 +6,7 @@
 #include "coupling/step/coupledRun.H"
 
 #include "coupling/base/vectorConversion.H"
+#include "coupling/case/files/entryNumbers.H"
 
 #include "nscd/base/formattedText.hpp"
 
@@ -21,6 +22,8 @@ GrainState CoupledRun::takeState()
 {
     GrainState state;
     state.numbers = {{"exited", scalar(exited_)}, {"time", time_.value()}, {"courant", reach_.courant}, {"displacement", reach_.displacement}};
+    state.numbers["meanDiameter"] = meanDiameter_;
+    if (entry_) addEntries(*entry_, state.numbers);
     state.contacts = dynamics_->checkpoint(state.numbers["lastDeltaT"]);
     state.grains = dynamics_->grains();
     memory_.copyTo(state);

@@ -60,6 +60,7 @@ StepRow CoupledRun::describeStep() const
     row.momentumError = step_.momentumError;
     row.momentumDebt = step_.momentumDebt;
     row.exited = exited_;
+    if (entry_) row.entries = ::nscd::totalOf(entry_->states());
     row.courantMax = reach_.courant;
     return row;
 }

@@ -18,6 +18,9 @@
 #include "nscd/contacts/contactLaw.hpp"
 
 #include "input/scene/drivenReader.hpp"
+#include "input/start/startChecks.hpp"
+
+#include "PstreamReduceOps.H"
 
 namespace Foam
 {
@@ -66,13 +69,13 @@ scalar meanCellSize(const fvMesh& mesh)
 }
 
 /// Cells that see single grains among many: the drag of a random bed is read too high (src/coupling/measured.md).
-void noteSmallCells(const VoidFractionSettings& settings, const GrainTotals& grains, scalar cellSize)
+void noteSmallCells(const VoidFractionSettings& settings, std::int64_t number, scalar meanDiameter, scalar cellSize)
 {
     constexpr scalar smallCells = 1.5;
     constexpr std::int64_t many = 100;
     if (settings.diffusion > 0 || settings.filterWidth > 0) return;
-    if (grains.number < many || cellSize > smallCells*grains.diameterMean) return;
-    Info<< "cells of " << cellSize/grains.diameterMean << " mean diameters see single grains: the drag of random beds is read too high, "
+    if (number < many || cellSize > smallCells*meanDiameter) return;
+    Info<< "cells of " << cellSize/meanDiameter << " mean diameters see single grains: the drag of random beds is read too high, "
         << "by 4 % at 1.5, 11 % at 1, 78 % at 0.5 diameters; `voidFraction { filterWidth 2; }` ends that" << nl;
 }
 
@@ -104,9 +107,11 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     ownStressShare_(ownStressShare(properties_.forces)),
     log_(time, Info, properties_.solvesFluid)
 {
-    startGrains();
+    const RunNumbers numbers = startGrains();
+    meanDiameter_ = meanDiameterOf(numbers);
     startHomes();
     if (properties_.solvesFluid) startFluid();
+    if (properties_.hasEntries()) startEntries(numbers);
     report_ = std::make_unique<GrainReport>(time);
     if (properties_.hasWalls || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
     const stringList inflow = hasFluid() ? describeInflow(immersion_->fluid->U(), immersion_->sources.fluidFraction) : stringList();
@@ -127,7 +132,7 @@ GrainState CoupledRun::newState() const
     return GrainState{makeFirstGrains(properties_, scene_, mesh_, *ranks_.exchange()), {}, {}, {}, {}};
 }
 
-void CoupledRun::startGrains()
+RunNumbers CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
     GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
@@ -141,13 +146,14 @@ void CoupledRun::startGrains()
         std::move(state.grains), properties_.materials.table, scene_.walls, scene_.box, properties_.contact, ranks_.exchange()
     );
     access_.show(dynamics_->grains());
-    if (!isRestart) return;
+    if (!isRestart) return {};
 
     memory_.recall(state.extras, Info);
     exited_ = static_cast<std::int64_t>(state.numbers.at("exited"));
     continueTime(time_, state.numbers.at("time"));
     reach_ = {state.numbers.at("courant"), state.numbers.at("displacement"), true};
     dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
+    return state.numbers;
 }
 
 void CoupledRun::startHomes()
@@ -157,23 +163,24 @@ void CoupledRun::startHomes()
         const FindHome inMapping = [this](const Vec3& position, label guess) { return immersion_->mapping->find(position, guess); };
         homes_ = std::make_unique<GrainHomes>(mesh_, ranks_.tree(), properties_.solvesFluid ? inMapping : findHomeIn(mesh_));
     }
-    else if (!properties_.solvesFluid && hasExits()) locations_ = std::make_unique<GrainLocations>(mesh_);
+    else if (!properties_.solvesFluid && (hasExits() || properties_.hasEntries())) locations_ = std::make_unique<GrainLocations>(mesh_);
 }
 
 void CoupledRun::startFluid()
 {
     const ::nscd::Grains& grains = dynamics_->grains();
     immersion_ = std::make_unique<Immersion>(mesh_, ranks_.isParallel() ? GrainsAtHome(ranks_.tree()) : GrainsAtHome());
-    if (hasGrains())
+    if (mayHaveGrains())
     {
-        const GrainTotals totals = sumGrains(grains, *ranks_.exchange());
-        const dictionary voidFraction = properties_.voidFraction.forMapping(totals.diameterMean, meanCellSize(mesh_));
-        if (feedsBack()) noteSmallCells(properties_.voidFraction, totals, meanCellSize(mesh_));
-        immersion_->mapping = std::make_unique<GrainMapping>(mesh_, voidFraction, 0.5*totals.diameterMax, scene_.space.shape.dimensions);
+        const scalar cellSize = meanCellSize(mesh_);
+        const dictionary voidFraction = properties_.voidFraction.forMapping(meanDiameter_, cellSize);
+        const scalar largest = returnReduce(input::largestDiameter(properties_, grains), maxOp<scalar>());
+        if (properties_.hasFeedback) noteSmallCells(properties_.voidFraction, nGrains_, meanDiameter_, cellSize);
+        immersion_->mapping = std::make_unique<GrainMapping>(mesh_, voidFraction, 0.5*largest, scene_.space.shape.dimensions);
     }
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
-    sources.isStatic = hasGrains() && properties_.driven.empty() && areAllFixed(grains, *ranks_.exchange());
+    sources.isStatic = hasGrains() && !properties_.hasEntries() && properties_.driven.empty() && areAllFixed(grains, *ranks_.exchange());
     sources.hasResponse = feedsBack() && !sources.isStatic;
     if (hasGrains()) updateWeights();
     // Text files round positions: what was before an exit may be behind it.
@@ -182,8 +189,9 @@ void CoupledRun::startFluid()
     checkTransportProperties(time_);
     immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());
     checkFluidSources(fv::options::New(mesh_), sources.fluidFraction.name());
-    checkNumerics(immersion_->fluid->phi(), sources.hasGrains || properties_.holdsMeanFlow);
-    if (sources.hasGrains && hasExits()) checkNumerics(immersion_->fluid->phi(), properties_.holdsMeanFlow);
+    const bool mayFeedBack = properties_.hasFeedback && mayHaveGrains();
+    checkNumerics(immersion_->fluid->phi(), mayFeedBack || properties_.holdsMeanFlow);
+    if (mayFeedBack && (hasExits() || !hasGrains())) checkNumerics(immersion_->fluid->phi(), properties_.holdsMeanFlow);
 }
 
 } // namespace nscdCoupling

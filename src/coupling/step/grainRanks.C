@@ -28,6 +28,9 @@ constexpr label stepsBetweenLooks = 10;
 /// What the last share() left may grow by this before it is tried again.
 constexpr scalar hopeForBetter = 1.1;
 
+/// By this share the number of grains may change before it counts as another distribution.
+constexpr scalar fewOthers = 0.1;
+
 /// Ranks have mixed where they look at more grains of others than this times as many as after the last share(), and at this share of all.
 constexpr scalar mixedGhosts = 2.0, fewGhosts = 0.05;
 
@@ -118,6 +121,7 @@ GrainState GrainRanks::share(const GrainState& state, std::vector<double> load)
     before_ = imbalanceOf(load);
     after_ = imbalanceOf(::nscd::Migration(mpi_->tree().all(), owner).move(load));
     steps_ = 0;
+    grains_ = totalOf(state.grains.size());
     ghosts_ = 0;
     return moved(state, owner);
 }
@@ -129,7 +133,8 @@ bool GrainRanks::isTimeToLook()
 
 bool GrainRanks::isUneven(const std::vector<double>& load)
 {
-    return imbalanceOf(load) > std::max(maxLoadImbalance_, hopeForBetter*after_);
+    const bool areOthers = mag(totalOf(load.size()) - grains_) > fewOthers*grains_;
+    return imbalanceOf(load) > std::max(maxLoadImbalance_, areOthers ? 1 : hopeForBetter*after_);
 }
 
 bool GrainRanks::areMixed(std::size_t ghosts, std::size_t grains)
@@ -139,6 +144,13 @@ bool GrainRanks::areMixed(std::size_t ghosts, std::size_t grains)
     if (ghosts_ > 0) return sums[0] > mixedGhosts*ghosts_ && sums[0] > fewGhosts*sums[1];
     ghosts_ = sums[0];
     return false;
+}
+
+scalar GrainRanks::totalOf(std::size_t grains) const
+{
+    double total = double(grains);
+    exchange_->sum(&total, 1);
+    return total;
 }
 
 scalar GrainRanks::imbalanceOf(const std::vector<double>& load) const

@@ -41,14 +41,14 @@ void readRate(const CheckedEntries& given, nscd::EntrySource& entry)
 
 } // namespace
 
-nscd::EntrySource readEntry(const Dictionary& dict, const std::string& name, const MaterialTable& materials, const Surroundings& around)
+void readEntry(const Dictionary& dict, const std::string& name, const Surroundings& around, Scene& scene)
 {
     const CheckedEntries given(dict);
     nscd::EntrySource entry;
     entry.name = name;
     given.found("type");
-    entry.material = readMaterialOfGrains(given, materials);
-    entry.density = materials.density[entry.material];
+    entry.material = readMaterialOfGrains(given, scene.materials);
+    entry.density = scene.materials.density[entry.material];
     entry.region = readRegion(given, "region", around);
     entry.sizes = readSizes(given, around);
     readRate(given, entry);
@@ -58,7 +58,8 @@ nscd::EntrySource readEntry(const Dictionary& dict, const std::string& name, con
     checkNormalToPlane(given, "omega", entry.omega, around.shape.emptyAxis);
     entry.seed = static_cast<std::uint64_t>(given.integer("seed", 0, 1));
     given.finish();
-    return entry;
+    scene.entries.push_back(entry);
+    scene.entryPlaces.push_back(given.place("region"));
 }
 
 } // namespace input

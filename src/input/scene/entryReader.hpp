@@ -9,8 +9,8 @@
 namespace input
 {
 
-/// A source of type `entering`; materials have been read.
+/// Adds a source of type `entering` to a scene whose materials have been read.
 /// Errors: InputError for what is missing or wrong
-nscd::EntrySource readEntry(const Dictionary& dict, const std::string& name, const MaterialTable& materials, const Surroundings& around);
+void readEntry(const Dictionary& dict, const std::string& name, const Surroundings& around, Scene& scene);
 
 } // namespace input

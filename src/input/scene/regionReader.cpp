@@ -90,7 +90,7 @@ nscd::Region readRegion(const CheckedEntries& given, const std::string& keyword,
     const CheckedEntries inside(given.sub(keyword));
     nscd::Region region = readType(inside).read(inside, around);
     inside.finish();
-    if (around.shape.emptyAxis >= 0) region = nscd::inPlane(region, around.shape.emptyAxis, 0.0);
+    if (around.shape.emptyAxis >= 0) region = nscd::inPlane(region, around.shape.emptyAxis, around.midPlane);
     if (nscd::shareOfBounds(region) < leastShare)
     {
         given.reject(keyword, "has no points to draw", "a region with room, in scenes of discs one that their plane cuts");

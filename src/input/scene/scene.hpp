@@ -65,12 +65,15 @@ struct Scene
     Words notes;                       ///< what the log should say of them
     std::vector<GrainSource> sources;
     std::vector<nscd::EntrySource> entries;
+    std::vector<Place> entryPlaces;    ///< of their regions
     std::vector<DrivenGroup> driven;
     double maxInitialOverlap = 0.01;   ///< in diameters of the smaller grain
     Place overlapPlace;
     nscd::ContactSettings contact;
 
     bool hasClumps() const;
+    bool hasEntries() const { return !entries.empty(); }
+    bool hasAnySource() const { return hasEntries() || !sources.empty(); }
 };
 
 /// A path as written, as one that can be opened.
@@ -80,13 +83,13 @@ using PathOf = std::function<std::string(const std::string&)>;
 struct Surroundings
 {
     nscd::GrainShape shape;            ///< in 2D with its emptyAxis
+    double midPlane = 0.0;             ///< in 2D: coordinate of all centers along emptyAxis, whatever their source gives [m]
     nscd::PeriodicBox box;
     PathOf pathOfGrains = [](const std::string& path) { return path; };
     PathOf pathOfSurface = [](const std::string& path) { return path; };
     int nRanks = 1;
     bool sleepsByDefault = true;       ///< grains at rest, where `sleep` is not given
     bool hasClumps = true;
-    bool hasEntries = false;           ///< whether grains can enter during a run
 
     bool isEmpty(int axis) const { return axis == shape.emptyAxis; }
 };

@@ -100,15 +100,14 @@ GrainSource readSource(const Dictionary& dict, const MaterialTable& materials, c
     return source;
 }
 
-/// A source at the start, or one during the run where the program has them.
+/// A source at the start, or one during the run.
 void addSource(const Dictionary& dict, const std::string& name, const Surroundings& around, const std::string& usualMotion, Scene& scene)
 {
     const CheckedEntries given(dict);
-    Words types = {"positionsFile", "table", "lattice"};
-    if (around.hasEntries) types.push_back("entering");
-    if (given.choice("type", types) != "entering") scene.sources.push_back(readSource(dict, scene.materials, around, usualMotion.c_str()));
+    const bool isEntering = given.choice("type", {"positionsFile", "table", "lattice", "entering"}) == "entering";
+    if (!isEntering) scene.sources.push_back(readSource(dict, scene.materials, around, usualMotion.c_str()));
     else if (usualMotion == "fixed") given.reject("type", "lets grains in that motion fixed would hold", "motion fixed; in the sources that are to be held");
-    else scene.entries.push_back(readEntry(dict, name, scene.materials, around));
+    else readEntry(dict, name, around, scene);
 }
 
 } // namespace

@@ -92,7 +92,7 @@ public:
 private:
     void add(Vec3 position, double diameter, int material)
     {
-        if (around_.shape.emptyAxis >= 0) position[around_.shape.emptyAxis] = stream_.tools.midPlane;
+        if (around_.shape.emptyAxis >= 0) position[around_.shape.emptyAxis] = around_.midPlane;
         position = around_.box.wrap(position);
         stream_.makeRoom();
         if (source_.clump.members.empty()) addGrain(position, diameter, material);

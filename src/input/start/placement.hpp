@@ -15,7 +15,6 @@ namespace input
 /// What differs between programs that place grains.
 struct PlacementTools
 {
-    double midPlane = 0.0;   ///< coordinate along the empty axis that all discs have; the one that their source gives is not used [m]
     std::function<nscd::RandomNumbers(std::uint64_t seed)> randomNumbers = nscd::randomNumbers;   ///< of lattices
     std::function<std::vector<Vec3>(const std::string& path, const Place& source)> readPositions = readPositionsFile;
     std::size_t grainsInBatch = std::numeric_limits<std::size_t>::max();   ///< clumps need all grains in one

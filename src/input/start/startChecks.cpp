@@ -32,16 +32,18 @@ std::string inWords(const nscd::Overlap& overlap, const nscd::Grains& grains, co
 
 } // namespace
 
-std::vector<int> usedMaterials(const nscd::Grains& grains)
+std::vector<int> usedMaterials(const Scene& scene, const nscd::Grains& grains)
 {
-    const std::set<int> used(grains.material.begin(), grains.material.end());
+    std::set<int> used(grains.material.begin(), grains.material.end());
+    for (const nscd::EntrySource& entry : scene.entries) used.insert(entry.material);
     return {used.begin(), used.end()};
 }
 
-double largestDiameter(const nscd::Grains& grains)
+double largestDiameter(const Scene& scene, const nscd::Grains& grains)
 {
     double diameter = 0.0;
     for (const double radius : grains.radius) diameter = std::max(diameter, 2*radius);
+    for (const nscd::EntrySource& entry : scene.entries) diameter = std::max(diameter, entry.sizes.largest);
     return diameter;
 }
 

@@ -11,11 +11,11 @@
 namespace input
 {
 
-/// Materials that grains are made of.
-std::vector<int> usedMaterials(const nscd::Grains& grains);
+/// Materials that grains are made of, those that are to enter included.
+std::vector<int> usedMaterials(const Scene& scene, const nscd::Grains& grains);
 
-/// Twice the largest radius [m]; 0 where there are no grains.
-double largestDiameter(const nscd::Grains& grains);
+/// The largest of the grains and of those that are to enter [m]; 0 where there are none.
+double largestDiameter(const Scene& scene, const nscd::Grains& grains);
 
 /// Refuses periods that are not longer than a grain, with the place that speaks of periods.
 void checkPeriods(const nscd::PeriodicBox& box, double largestDiameter, const Place& place);

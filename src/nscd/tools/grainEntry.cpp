@@ -4,8 +4,6 @@
 // Letting grains in.
 #include "nscd/tools/grainEntry.hpp"
 
-#include "nscd/search/pairSearch.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -18,6 +16,9 @@ namespace
 
 /// Places tried for the next grain of a source in a step, before it waits for the next step.
 constexpr int triesPerStep = 100;
+
+/// Of these, as many at a time where each look asks all ranks.
+constexpr int triesPerLook = 20;
 
 /// Amounts that are whole but for round-off count as whole.
 constexpr double roundOff = 1e-9;
@@ -38,54 +39,54 @@ RandomNumbers numbersFor(std::uint64_t seed, std::size_t source, Stream stream, 
 
 } // namespace
 
-/// Where grains and walls are.
-class GrainEntry::Room
+/// The next places that a source tries, in their order.
+class GrainEntry::PlacesAhead
 {
 public:
-    Room(const Grains& grains, const Walls& walls, const PeriodicBox& box, double largestDiameter)
+    PlacesAhead(const EntrySource& from, std::size_t source, int perLook, RoomOfGrains& room)
     :
-        walls_(walls),
-        box_(box),
-        wallSearch_(walls, largestDiameter)
-    {
-        search_.fill(grains.position, grains.radius, box);
-        for (std::size_t region = 0; region < walls.regions.size(); ++region)
-        {
-            if (walls.regions[region].edges.empty()) planes_.push_back(static_cast<int>(region));
-        }
-    }
+        from_(from),
+        source_(source),
+        perLook_(perLook),
+        room_(room)
+    {}
 
-    bool isFree(const Vec3& x, double radius, const Grains& entering)
+    const EntryPlace& at(std::int64_t number)
     {
-        return isFreeOfWalls(x, radius) && isFreeOf(entering, x, radius) && search_.around(x, radius, box_).empty();
+        if (number < first_ || number - first_ >= static_cast<std::int64_t>(places_.size())) look(number);
+        return places_[static_cast<std::size_t>(number - first_)];
     }
 
 private:
-    bool isFreeOf(const Grains& others, const Vec3& x, double radius) const
+    void look(std::int64_t number)
     {
-        for (std::size_t i = 0; i < others.size(); ++i)
-        {
-            if (box_.nearestImage(x - others.position[i]).norm() < radius + others.radius[i]) return false;
-        }
-        return true;
+        std::vector<Vec3> points;
+        for (int k = 0; k < perLook_; ++k) points.push_back(randomPoint(from_.region, numbersFor(from_.seed, source_, placesTried, number + k)));
+        first_ = number;
+        places_ = room_.look(points);
     }
 
-    /// Nothing enters behind a plane, which the search for walls that are near does not tell; a bounded wall has two sides.
-    bool isFreeOfWalls(const Vec3& x, double radius)
-    {
-        const auto distance = [&](int region) { return nearestPoint(walls_, region, x).distance; };
-        if (std::any_of(planes_.begin(), planes_.end(), [&](int region) { return distance(region) < radius; })) return false;
-        near_.clear();
-        wallSearch_.find(x, radius, near_);
-        return std::none_of(near_.begin(), near_.end(), [&](int region) { return std::abs(distance(region)) < radius; });
-    }
-
-    const Walls& walls_;
-    const PeriodicBox& box_;
-    WallSearch wallSearch_;
-    PairSearch search_;
-    std::vector<int> planes_, near_;
+    const EntrySource& from_;
+    std::size_t source_;
+    int perLook_;
+    RoomOfGrains& room_;
+    std::int64_t first_ = 0;
+    std::vector<EntryPlace> places_;
 };
+
+namespace
+{
+
+bool isFreeOf(const Grains& others, const PeriodicBox& box, const Vec3& x, double radius)
+{
+    for (std::size_t i = 0; i < others.size(); ++i)
+    {
+        if (box.nearestImage(x - others.position[i]).norm() < radius + others.radius[i]) return false;
+    }
+    return true;
+}
+
+} // namespace
 
 EntryState totalOf(const std::vector<EntryState>& states)
 {
@@ -101,11 +102,10 @@ EntryState totalOf(const std::vector<EntryState>& states)
     return sum;
 }
 
-GrainEntry::GrainEntry(std::vector<EntrySource> sources, const GrainShape& shape, const PeriodicBox& box, std::vector<EntryState> states, std::int64_t nextId)
+GrainEntry::GrainEntry(std::vector<EntrySource> sources, EntrySpace space, std::vector<EntryState> states, std::int64_t nextId)
 :
     sources_(std::move(sources)),
-    shape_(shape),
-    box_(box),
+    space_(std::move(space)),
     states_(std::move(states)),
     nextId_(nextId)
 {}
@@ -117,7 +117,7 @@ double GrainEntry::diameterOf(std::size_t source, std::int64_t number) const
 
 double GrainEntry::massOf(std::size_t source, std::int64_t number) const
 {
-    return sources_[source].density*shape_.volume(0.5*diameterOf(source, number));
+    return sources_[source].density*space_.shape.volume(0.5*diameterOf(source, number));
 }
 
 /// Whether an amount reaches to one grain more.
@@ -140,47 +140,64 @@ void GrainEntry::addDue(std::size_t source, double time)
     }
 }
 
-bool GrainEntry::enterNext(std::size_t source, Room& room, Grains& entering)
+void GrainEntry::add(std::size_t source, const Vec3& position, double radius, Grains& grains) const
 {
     const EntrySource& from = sources_[source];
+    grains.add(position, radius, from.density, from.material, nextId_);
+    grains.velocity.back() = from.velocity;
+    grains.omega.back() = from.omega;
+}
+
+bool GrainEntry::enterNext(std::size_t source, PlacesAhead& places, Entering& entering)
+{
     EntryState& state = states_[source];
     const double radius = 0.5*diameterOf(source, state.entered);
     for (int k = 0; k < triesPerStep; ++k)
     {
-        const Vec3 x = box_.wrap(randomPoint(from.region, numbersFor(from.seed, source, placesTried, state.tried++)));
-        if (!room.isFree(x, radius, entering)) continue;
-        entering.add(x, radius, from.density, from.material, nextId_++);
-        entering.velocity.back() = from.velocity;
-        entering.omega.back() = from.omega;
+        const EntryPlace& place = places.at(state.tried++);
+        const Vec3& x = place.position;
+        if (place.rank < 0 || place.clearance < radius) continue;
+        if (!isFreeOf(entering.all, space_.box, x, radius) || !walls_->isFree(x, radius)) continue;
+        add(source, x, radius, entering.all);
+        if (place.rank == space_.exchange->rank()) add(source, x, radius, entering.own);
+        ++nextId_;
         ++state.entered;
-        state.enteredMass += entering.mass.back();
+        state.enteredMass += entering.all.mass.back();
         return true;
     }
     return false;
 }
 
-bool GrainEntry::enter(GrainDynamics& dynamics, double time)
+double GrainEntry::largestDiameter() const
 {
     double largest = 0.0;
+    for (const EntrySource& source : sources_) largest = std::max(largest, source.sizes.largest);
+    return largest;
+}
+
+void GrainEntry::enterFrom(std::size_t source, const GrainDynamics& dynamics, Entering& entering)
+{
+    const EntrySource& from = sources_[source];
+    if (!walls_) walls_ = std::make_unique<RoomOfWalls>(dynamics.walls(), largestDiameter());
+    RoomOfGrains room(dynamics.grains(), space_, from.region.bounds, 0.5*from.sizes.largest);
+    PlacesAhead places(from, source, space_.exchange->isParallel() ? triesPerLook : 1, room);
+    while (states_[source].waiting() > 0 && enterNext(source, places, entering)) {}
+}
+
+std::int64_t GrainEntry::enter(GrainDynamics& dynamics, double time)
+{
+    Entering entering;
+    entering.all.shape = entering.own.shape = space_.shape;
     for (std::size_t s = 0; s < sources_.size(); ++s)
     {
         addDue(s, time);
-        if (states_[s].waiting() > 0) largest = std::max(largest, sources_[s].sizes.largest);
+        if (states_[s].waiting() > 0) enterFrom(s, dynamics, entering);
     }
-    if (largest == 0.0) return false;
-
-    Room room(dynamics.grains(), dynamics.walls(), box_, largest);
-    Grains entering;
-    entering.shape = shape_;
-    for (std::size_t s = 0; s < sources_.size(); ++s)
-    {
-        while (states_[s].waiting() > 0 && enterNext(s, room, entering)) {}
-    }
-    if (entering.size() == 0) return false;
+    if (entering.all.size() == 0) return 0;
     Grains grains = dynamics.grains();
-    grains.append(entering);
+    grains.append(entering.own);
     dynamics.setGrains(std::move(grains));
-    return true;
+    return static_cast<std::int64_t>(entering.all.size());
 }
 
 } // namespace nscd

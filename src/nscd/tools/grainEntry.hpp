@@ -4,7 +4,7 @@
 // Grains that enter during a run: when, how large and where; those that find no room wait.
 #pragma once
 
-#include "nscd/search/wallSearch.hpp"
+#include "nscd/tools/entryRoom.hpp"
 #include "nscd/tools/regions.hpp"
 #include "nscd/tools/sizeDistributions.hpp"
 
@@ -46,34 +46,46 @@ struct EntryState
 EntryState totalOf(const std::vector<EntryState>& states);
 
 /// Lets grains in. A grain's size follows from seed, source and its number, a place that is tried from seed, source and the number of the
-/// try: neither from time steps nor from where a run was stopped. Grains enter in their order, so that sizes in are sizes as asked.
+/// try: neither from time steps nor from where a run was stopped, nor from ranks, all of which try the same. Grains enter in their order, so
+/// that sizes in are sizes as asked.
 class GrainEntry
 {
 public:
-    /// One state for each source; identities of new grains go on from nextId.
-    GrainEntry(std::vector<EntrySource> sources, const GrainShape& shape, const PeriodicBox& box, std::vector<EntryState> states, std::int64_t nextId);
+    /// One state for each source; identities of new grains go on from nextId. All the same on all ranks.
+    GrainEntry(std::vector<EntrySource> sources, EntrySpace space, std::vector<EntryState> states, std::int64_t nextId);
 
     /// Before a step that ends at a time [s]: adds what is due by then and finds room, without overlap with grains and walls where they are.
-    /// Returns whether any grain entered. With all of them on one rank.
-    bool enter(GrainDynamics& dynamics, double time);
+    /// Returns the number of grains that entered, on all ranks; those of this one are behind the ones it had. Always for
+    /// the same dynamics. Collective.
+    std::int64_t enter(GrainDynamics& dynamics, double time);
 
     const std::vector<EntrySource>& sources() const { return sources_; }
     const std::vector<EntryState>& states() const { return states_; }
     std::int64_t nextId() const { return nextId_; }
 
 private:
+    class PlacesAhead;
+
+    /// Grains of all ranks that enter in a step, and which of them are this rank's.
+    struct Entering
+    {
+        Grains all, own;
+    };
+
     void addDue(std::size_t source, double time);
     bool isDue(std::size_t source, double amount) const;
     double diameterOf(std::size_t source, std::int64_t number) const;
     double massOf(std::size_t source, std::int64_t number) const;
-    class Room;
-    bool enterNext(std::size_t source, Room& room, Grains& entering);
+    double largestDiameter() const;
+    void enterFrom(std::size_t source, const GrainDynamics& dynamics, Entering& entering);
+    bool enterNext(std::size_t source, PlacesAhead& places, Entering& entering);
+    void add(std::size_t source, const Vec3& position, double radius, Grains& grains) const;
 
     std::vector<EntrySource> sources_;
-    GrainShape shape_;
-    PeriodicBox box_;
+    EntrySpace space_;
     std::vector<EntryState> states_;
     std::int64_t nextId_;
+    std::unique_ptr<RoomOfWalls> walls_;   ///< since the first grain was due
 };
 
 } // namespace nscd

@@ -111,9 +111,8 @@ TEST_F(Placements, putDiscsIntoTheirPlaneAndGrainsIntoTheBox)
     space.shape.dimensions = 2;
     space.shape.emptyAxis = 1;
     space.box.length[0] = 2.0;
-    input::PlacementTools tools;
-    tools.midPlane = 0.125;
-    const nscd::Grains discs = batches("grains { type lattice; box (3 7 0) (5 7 1); count (2 9 1); diameter 0.5; material glass; }", tools, space).at(0);
+    space.midPlane = 0.125;
+    const nscd::Grains discs = batches("grains { type lattice; box (3 7 0) (5 7 1); count (2 9 1); diameter 0.5; material glass; }", {}, space).at(0);
     ASSERT_EQ(discs.size(), 2u);
     EXPECT_EQ(discs.position[0], Vec3(1.5, 0.125, 0.5));
     EXPECT_EQ(discs.position[1], Vec3(0.5, 0.125, 0.5));

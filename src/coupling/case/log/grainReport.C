@@ -58,7 +58,11 @@ const Column columns[] =
     {"volumeUnresolved", "m3", [](const StepRow& r) { return double(r.volumeUnresolved); }},
     {"volumeError", "1", [](const StepRow& r) { return double(r.volumeError); }},
     {"atCap", "1", [](const StepRow& r) { return double(r.report.solve.atCap); }},
-    {"asleep", "1", [](const StepRow& r) { return double(r.report.asleep); }}
+    {"asleep", "1", [](const StepRow& r) { return double(r.report.asleep); }},
+    {"entered", "1", [](const StepRow& r) { return double(r.entries.entered); }},
+    {"enteredMass", "kg", [](const StepRow& r) { return double(r.entries.enteredMass); }},
+    {"waiting", "1", [](const StepRow& r) { return double(r.entries.waiting()); }},
+    {"waitingMass", "kg", [](const StepRow& r) { return double(r.entries.waitingMass()); }}
 };
 
 template<class Part>

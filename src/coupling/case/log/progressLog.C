@@ -64,6 +64,12 @@ const WarningRow warningRows[] =
     }
 };
 
+std::string describeEntries(const ::nscd::EntryState& state)
+{
+    const auto count = [](std::int64_t number) { return static_cast<long long>(number); };
+    return formatted("%lld grains entered, %.6g kg; %lld wait, %.6g kg", count(state.entered), state.enteredMass, count(state.waiting()), state.waitingMass());
+}
+
 } // namespace
 
 
@@ -151,6 +157,7 @@ void ProgressLog::step(const StepRow& row, const FluidSummary& fluid)
     if (row.report.asleep > 0) os_ << formatted("  %zu grains asleep", row.report.asleep).c_str() << nl;
     warn(row, fluid);
     if (exitedNow > 0) os_ << formatted("  %lld grains left through exits", static_cast<long long>(exitedNow)).c_str() << nl;
+    if (row.entries.due > 0) os_ << "  " << describeEntries(row.entries).c_str() << nl;
     if (hasFluid_)
     {
         os_ << formatted

@@ -37,6 +37,14 @@ string describeGrains(const GrainTotals& grains, const nscd::GrainShape& shape)
     );
 }
 
+string describeEntry(const nscd::EntrySource& entry)
+{
+    return formatted
+    (
+        "%s, diameter %.4g to %.4g m, by %s", entry.name.c_str(), entry.sizes.smallest, entry.sizes.largest, entry.isMass ? "mass" : "number"
+    );
+}
+
 string describeWalls(const GrainScene& scene, const polyMesh& mesh)
 {
     string planes;
@@ -92,6 +100,7 @@ void logScene
     os << "Case" << nl;
     line("grains", describeGrains(grains, scene.space.shape));
     if (isRestart) line("", "from time " + mesh.time().timeName() + "; `grains` of grainProperties are for a new start only");
+    for (const nscd::EntrySource& entry : properties.entries) line("entering", describeEntry(entry));
     line("walls", describeWalls(scene, mesh));
     if (areWallsUnseen(properties)) line("", "those of `walls` and `planes` are for the grains alone: the fluid flows through them");
     line("exits", namesOf(scene.roles.ofRole(PatchRole::exit), mesh));

@@ -10,7 +10,6 @@
 #include "coupling/case/walls/meshWalls.H"
 
 #include "input/dictionary/quantity.hpp"
-#include "input/scene/materialReader.hpp"
 #include "input/start/placement.hpp"
 
 #include "Random.H"
@@ -29,20 +28,6 @@ constexpr std::size_t grainsInBatch = 10000;
 nscd::RandomNumbers foamRandom(std::uint64_t seed)
 {
     return [random = Random(label(seed))]() mutable { return random.sample01<scalar>(); };
-}
-
-/// Materials of the grains of all ranks.
-std::vector<int> usedMaterials(const nscd::Grains& grains, int nMaterials, const nscd::Exchange& exchange)
-{
-    std::vector<double> isUsed(nMaterials, 0.0);
-    for (int material : grains.material) isUsed[material] = 1.0;
-    exchange.max(isUsed.data(), nMaterials);
-    std::vector<int> used;
-    for (int material = 0; material < nMaterials; ++material)
-    {
-        if (isUsed[material] > 0.0) used.push_back(material);
-    }
-    return used;
 }
 
 } // namespace
@@ -100,13 +85,10 @@ nscd::Grains makeFirstGrains
     };
     input::Surroundings around = surroundingsIn(mesh);
     around.shape = scene.space.shape;
-    const input::PlacementTools tools = {scene.space.midPlane, foamRandom, readFoamPositions, grainsInBatch};
+    const input::PlacementTools tools = {foamRandom, readFoamPositions, grainsInBatch};
     toldByFoam([&] { input::placeGrains(properties, around, tools, keep); });
     homes.checkNoneOutside();
-    const std::vector<int> used = usedMaterials(grains, properties.materials.table.size(), exchange);
-    toldByFoam([&] { input::checkPairs(properties.materials, used, scene.walls); });
-    checkPeriods(scene.box, grains, mesh);
-    checkThickness(properties, scene.space, grains);
+    checkGrains(grains, scene, properties, mesh, exchange);
     checkOverlaps(grains, scene, properties, exchange);
     return grains;
 }

@@ -8,6 +8,7 @@
 #include "coupling/case/walls/grainExits.H"
 
 #include "input/dictionary/checkedEntries.hpp"
+#include "input/scene/materialReader.hpp"
 #include "input/start/startChecks.hpp"
 
 #include "PstreamReduceOps.H"
@@ -106,6 +107,36 @@ void refuseFarOutside(const nscd::Grains& grains, const polyMesh& mesh)
     }
 }
 
+void checkPeriods(const GrainProperties& properties, const nscd::PeriodicBox& box, const nscd::Grains& grains, const polyMesh& mesh)
+{
+    const double diameter = returnReduce(input::largestDiameter(properties, grains), maxOp<scalar>());
+    toldByFoam([&] { input::checkPeriods(box, diameter, placeInFile(mesh.boundaryMesh().objectPath(), "cyclic")); });
+}
+
+void checkMaterials(const GrainProperties& properties, const GrainScene& scene, const nscd::Grains& grains, const nscd::Exchange& exchange)
+{
+    std::vector<double> isUsed(properties.materials.table.size(), 0.0);
+    for (const int material : input::usedMaterials(properties, grains)) isUsed[material] = 1.0;
+    exchange.max(isUsed.data(), int(isUsed.size()));
+    std::vector<int> used;
+    for (std::size_t material = 0; material < isUsed.size(); ++material)
+    {
+        if (isUsed[material] > 0.0) used.push_back(int(material));
+    }
+    toldByFoam([&] { input::checkPairs(properties.materials, used, scene.walls); });
+}
+
+void checkThickness(const GrainProperties& properties, const GrainSpace& space, const nscd::Grains& grains)
+{
+    const scalar diameter = returnReduce(input::largestDiameter(properties, grains), maxOp<scalar>());
+    if (space.emptyAxis < 0 || space.shape.dimensions == 2 || diameter <= (1 + roundOff)*space.shape.thickness) return;
+    fail
+    ({
+        properties.shapePlace, messageText("has spheres up to ", diameter, " m on a mesh ", space.shape.thickness, " m thick"), properties.shape,
+        "disc, or a mesh at least as thick as the spheres"
+    });
+}
+
 } // namespace
 
 
@@ -172,22 +203,14 @@ void checkMeanFlow(const GrainProperties& properties, const nscd::PeriodicBox& b
 }
 
 
-void checkPeriods(const nscd::PeriodicBox& box, const nscd::Grains& grains, const polyMesh& mesh)
+void checkGrains
+(
+    const nscd::Grains& grains, const GrainScene& scene, const GrainProperties& properties, const polyMesh& mesh, const nscd::Exchange& exchange
+)
 {
-    const double diameter = returnReduce(input::largestDiameter(grains), maxOp<scalar>());
-    toldByFoam([&] { input::checkPeriods(box, diameter, placeInFile(mesh.boundaryMesh().objectPath(), "cyclic")); });
-}
-
-
-void checkThickness(const GrainProperties& properties, const GrainSpace& space, const nscd::Grains& grains)
-{
-    const scalar diameter = returnReduce(input::largestDiameter(grains), maxOp<scalar>());
-    if (space.emptyAxis < 0 || space.shape.dimensions == 2 || diameter <= (1 + roundOff)*space.shape.thickness) return;
-    fail
-    ({
-        properties.shapePlace, messageText("has spheres up to ", diameter, " m on a mesh ", space.shape.thickness, " m thick"), properties.shape,
-        "disc, or a mesh at least as thick as the spheres"
-    });
+    checkMaterials(properties, scene, grains, exchange);
+    checkPeriods(properties, scene.box, grains, mesh);
+    checkThickness(properties, scene.space, grains);
 }
 
 
@@ -247,6 +270,7 @@ void checkRestart
     nscd::Exchange& exchange
 )
 {
+    checkGrains(grains, scene, properties, mesh, exchange);
     if (properties.solvesFluid) refuseFarOutside(grains, mesh);
     nscd::Walls walls = scene.walls;
     nscd::moveWalls(walls, time);

@@ -117,7 +117,7 @@ void checkComplete(const GrainProperties& properties, const polyMesh& mesh, cons
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         const label patchi = patch.index();
-        if (sizes[patchi] == 0 || properties.sources.empty() || isA<processorPolyPatch>(patch)) continue;
+        if (sizes[patchi] == 0 || !properties.hasAnySource() || isA<processorPolyPatch>(patch)) continue;
         if (roles.role[patchi] == PatchRole::unused)
         {
             fail
@@ -219,7 +219,7 @@ PatchRoles assignPatchRoles(const GrainProperties& properties, const polyMesh& m
     PatchRoles roles;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        roles.role.push_back(roleByType(patch, sizes[patch.index()] == 0, !properties.sources.empty()));
+        roles.role.push_back(roleByType(patch, sizes[patch.index()] == 0, properties.hasAnySource()));
         roles.material.push_back(properties.wallMaterial);
     }
     roles.surfaceMotion.resize(roles.role.size());
@@ -291,7 +291,6 @@ GrainSpace grainSpace(const GrainProperties& properties, const polyMesh& mesh)
     GrainSpace space;
     space.shape = chosenShape(grainShape(mesh), properties.shape);
     space.emptyAxis = space.shape.emptyAxis;
-    if (space.emptyAxis >= 0) space.midPlane = mesh.bounds().centre()[space.emptyAxis];
     return space;
 }
 
@@ -300,6 +299,7 @@ input::Surroundings surroundingsIn(const polyMesh& mesh)
 {
     input::Surroundings around = foamSurroundings(mesh.time().globalPath());
     around.shape = grainShape(mesh);
+    if (around.shape.emptyAxis >= 0) around.midPlane = mesh.bounds().centre()[around.shape.emptyAxis];
     around.box = periodicBox(mesh);
     return around;
 }

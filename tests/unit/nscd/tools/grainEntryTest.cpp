@@ -21,8 +21,8 @@ struct Pour
     nscd::GrainDynamics dynamics;
     nscd::GrainEntry entry;
 
-    Pour(const std::vector<nscd::EntrySource>& sources, const nscd::PeriodicBox& periods = {}) :
-        box(periods), dynamics({}, materials(), walls(), periods, {}), entry(sources, {}, periods, std::vector<nscd::EntryState>(sources.size()), 0)
+    Pour(const std::vector<nscd::EntrySource>& sources, const nscd::PeriodicBox& periods = {}, const nscd::ContactSettings& settings = {}) :
+        box(periods), dynamics({}, materials(), walls(), periods, settings), entry(sources, {{}, periods}, std::vector<nscd::EntryState>(sources.size()), 0)
     {}
 
     static nscd::Materials materials()
@@ -52,12 +52,12 @@ struct Pour
         EXPECT_TRUE(nscd::wallOverlaps(dynamics.grains(), dynamics.walls(), 2e-3).empty());
     }
 
-    bool enter(double time) { return entry.enter(dynamics, time); }
+    bool enter(double time) { return entry.enter(dynamics, time) > 0; }
 
-    void step(double deltaT)
+    nscd::StepReport step(double deltaT)
     {
         dynamics.beginStep(deltaT);
-        dynamics.advance(nscd::gravityForces(dynamics.grains(), {0, 0, -9.81}, deltaT));
+        return dynamics.advance(nscd::gravityForces(dynamics.grains(), {0, 0, -9.81}, deltaT));
     }
 };
 
@@ -161,7 +161,7 @@ TEST(GrainEntry, hasOneSequenceForAnyStepsAndStops)
     for (int k = 1; k <= 50; ++k)
     {
         often.enter(0.01*k);
-        if (k == 20) often.entry = nscd::GrainEntry(often.entry.sources(), {}, {}, often.entry.states(), often.entry.nextId());
+        if (k == 20) often.entry = nscd::GrainEntry(often.entry.sources(), {}, often.entry.states(), often.entry.nextId());
     }
     const auto radiiOf = [](const Pour& pour)
     {
@@ -188,4 +188,32 @@ TEST(GrainEntry, keepsImpulsesAndVelocitiesOfThoseInside)
     EXPECT_EQ(after.velocity.back(), Vec3(0, 0, -0.5));
     double lastDeltaT = 0.0;
     EXPECT_FALSE(pour.dynamics.checkpoint(lastDeltaT).empty());
+}
+
+/// Places that no rank knows hold no grain.
+TEST(GrainEntry, entersWhereThePlaceIsKnown)
+{
+    nscd::EntrySpace space;
+    space.rankOf = [](const Vec3& x) { return x[0] < 0.05 ? 0 : -1; };
+    Pour pour({source(100)});
+    pour.entry = nscd::GrainEntry({source(100)}, space, {nscd::EntryState()}, 0);
+    pour.enter(1.0);
+    ASSERT_GT(pour.dynamics.grains().size(), 50u);
+    for (const Vec3& x : pour.dynamics.grains().position) EXPECT_LT(x[0], 0.05);
+}
+
+TEST(GrainEntry, wakesThoseThatSleep)
+{
+    nscd::ContactSettings sleepy;
+    sleepy.sleep = true;
+    nscd::EntrySource two = source(1.0, nscd::boxRegion({0.01, 0.01, 0.02}, {0.09, 0.09, 0.19}));
+    two.number = 2;
+    two.velocity = Vec3::Zero();
+    Pour pour({two}, {}, sleepy);
+    pour.enter(1.0);
+    nscd::StepReport report;
+    for (int k = 0; k < 1000; ++k) report = pour.step(1e-3);
+    ASSERT_EQ(report.asleep, 1u);
+    ASSERT_TRUE(pour.enter(2.0));
+    EXPECT_EQ(pour.step(1e-3).asleep, 0u);
 }

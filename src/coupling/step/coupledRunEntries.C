@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// What a run does beside the seven parts where grains enter.
+// Tested by tests/foam/program/entryTest.C
+#include "coupling/step/coupledRun.H"
+
+#include "coupling/base/vectorConversion.H"
+#include "coupling/case/files/entryNumbers.H"
+#include "coupling/case/log/grainTotals.H"
+
+#include "nscd/tools/sceneParts.hpp"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+/// Points of a region that are looked for in the mesh, of which one has to be there.
+constexpr int pointsOfRegion = 2000;
+
+} // namespace
+
+scalar CoupledRun::meanDiameterOf(const RunNumbers& numbers) const
+{
+    const auto written = numbers.find("meanDiameter");
+    if (written != numbers.end()) return written->second;
+    if (hasGrains()) return sumGrains(dynamics_->grains(), *ranks_.exchange()).diameterMean;
+    scalar sum = 0;
+    for (const ::nscd::EntrySource& source : properties_.entries) sum += 0.5*(source.sizes.smallest + source.sizes.largest);
+    return properties_.hasEntries() ? sum/scalar(properties_.entries.size()) : 0;
+}
+
+int CoupledRun::rankOf(const Vec3& position) const
+{
+    if (homes_) return homes_->find(position).rank;
+    if (hasFluid()) return immersion_->mapping->find(position, -1).rank;
+    return locations_->find(position) < 0 ? -1 : 0;
+}
+
+void CoupledRun::checkRegions() const
+{
+    for (std::size_t s = 0; s < properties_.entries.size(); ++s)
+    {
+        const ::nscd::RandomNumbers random = ::nscd::randomNumbers(1);
+        double isThere = 0;
+        for (int k = 0; k < pointsOfRegion; ++k)
+        {
+            if (rankOf(scene_.box.wrap(::nscd::randomPoint(properties_.entries[s].region, random))) >= 0) isThere = 1;
+        }
+        ranks_.exchange()->max(&isThere, 1);
+        if (isThere > 0) continue;
+        const string allowed = messageText("a region in the mesh, which is bounded by ", mesh_.bounds());
+        fail({properties_.entryPlaces[s], "has no cell of the mesh", properties_.entries[s].name, allowed});
+    }
+}
+
+void CoupledRun::startEntries(const RunNumbers& numbers)
+{
+    checkRegions();
+    const ::nscd::EntrySpace space
+    {
+        scene_.space.shape, scene_.box, ranks_.exchange(), [this](const Vec3& position) { return rankOf(position); }
+    };
+    const std::int64_t nextId = nextIdentity(dynamics_->grains(), numbers, *ranks_.exchange());
+    entry_ = std::make_unique<::nscd::GrainEntry>(properties_.entries, space, entryStates(properties_.entries, numbers), nextId);
+}
+
+void CoupledRun::letIn(scalar end)
+{
+    if (!entry_) return;
+    const std::size_t before = dynamics_->grains().size();
+    std::int64_t entered;
+    {
+        const auto timer = timing_.time(StepPart::advanceGrains);
+        entered = entry_->enter(*dynamics_, end);
+    }
+    if (entered == 0) return;
+    const auto timer = timing_.time(StepPart::depositGrains);
+    memory_.enter(dynamics_->grains().size() - before);
+    nGrains_ += entered;
+    if (hasFluid()) updateWeights();
+}
+
+} // namespace nscdCoupling
+} // namespace Foam
