@@ -100,7 +100,8 @@ nscd::Grains makeFirstGrains
     };
     input::Surroundings around = surroundingsIn(mesh);
     around.shape = scene.space.shape;
-    const input::PlacementTools tools = {scene.space.midPlane, foamRandom, readFoamPositions, grainsInBatch};
+    const auto tell = [](const std::string& line) { Info<< line.c_str() << nl; };
+    const input::PlacementTools tools = {scene.space.midPlane, foamRandom, readFoamPositions, grainsInBatch, &scene.walls, tell};
     toldByFoam([&] { input::placeGrains(properties, around, tools, keep); });
     homes.checkNoneOutside();
     const std::vector<int> used = usedMaterials(grains, properties.materials.table.size(), exchange);
