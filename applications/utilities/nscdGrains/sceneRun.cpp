@@ -181,10 +181,10 @@ private:
     std::unique_ptr<WallTable> wallTable_;   // where there are walls
 };
 
-nscd::SceneState newStart(const SceneSettings& scene)
+nscd::SceneState newStart(const SceneSettings& scene, std::ostream& log)
 {
     nscd::SceneState state;
-    state.grains = placeGrains(scene);
+    state.grains = placeGrains(scene, [&](const std::string& line) { log << line << std::endl; });
     checkGrains(scene, state.grains);
     state.nextId = static_cast<std::int64_t>(state.grains.size());
     return state;
@@ -295,7 +295,7 @@ void runScene(const RunOptions& options, std::ostream& log)
     {
         throw std::runtime_error(results.path() + " holds results of an earlier run: nscdGrains -restart goes on, nscdGrains -overwrite starts anew");
     }
-    nscd::SceneState start = options.goesOn ? storedStart(scene, results) : newStart(scene);
+    nscd::SceneState start = options.goesOn ? storedStart(scene, results) : newStart(scene, log);
     if (!isBefore(start.time, scene.run.endTime, scene.run.deltaT))
     {
         log << "Time = " << start.time << " s: endTime is reached, there is nothing to do" << std::endl;

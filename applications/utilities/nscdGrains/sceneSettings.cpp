@@ -122,10 +122,12 @@ SceneSettings readScene(const std::string& path)
     return parseScene(input::readText(path, {"command line", 0, "scene"}), path);
 }
 
-nscd::Grains placeGrains(const SceneSettings& scene)
+nscd::Grains placeGrains(const SceneSettings& scene, const std::function<void(const std::string&)>& tell)
 {
     nscd::Grains grains;
-    input::placeGrains(scene, scene.surroundings(), {}, [&](nscd::Grains& all) { grains = std::move(all); });
+    input::PlacementTools tools;
+    tools.tell = tell;
+    input::placeGrains(scene, scene.surroundings(), tools, [&](nscd::Grains& all) { grains = std::move(all); });
     input::holdDriven(scene.driven, grains);
     return grains;
 }

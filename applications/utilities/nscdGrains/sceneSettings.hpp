@@ -46,7 +46,8 @@ SceneSettings parseScene(const std::string& text, const std::string& file);
 
 /// The grains of all sources, discs at z = 0; driven ones are held.
 /// Errors: input::InputError for files that are missing or wrong, with their line, and for driven grains that are not there
-nscd::Grains placeGrains(const SceneSettings& scene);
+/// `tell` takes what the log should say of fillings.
+nscd::Grains placeGrains(const SceneSettings& scene, const std::function<void(const std::string&)>& tell = [](const std::string&) {});
 
 /// Refuses what no run can start from: pairs of materials without coefficients, periods that are too short, overlaps.
 void checkGrains(const SceneSettings& scene, const nscd::Grains& grains);

@@ -7,6 +7,7 @@
 #include "input/dictionary/checkedEntries.hpp"
 
 #include "nscd/tools/drivenGrains.hpp"
+#include "nscd/tools/fillingSource.hpp"
 #include "nscd/tools/grainEntry.hpp"
 #include "nscd/tools/sceneParts.hpp"
 
@@ -37,8 +38,10 @@ struct ClumpSource
 struct GrainSource
 {
     Place place;
-    std::string type;                  ///< lattice, positionsFile, table
+    std::string type;                  ///< lattice, positionsFile, table, filling
     nscd::GrainLattice lattice{};
+    nscd::FillingSource filling{};
+    Place amountPlace;                 ///< of what says how much a filling is
     std::string file;                  ///< as written
     Place filePlace;
     double diameter = 0.0;             ///< [m] of positionsFile

@@ -6,6 +6,7 @@
 
 #include "input/scene/clumpReader.hpp"
 #include "input/scene/entryReader.hpp"
+#include "input/scene/fillingReader.hpp"
 #include "input/scene/functionReader.hpp"
 #include "input/scene/materialReader.hpp"
 
@@ -84,7 +85,7 @@ GrainSource readSource(const Dictionary& dict, const MaterialTable& materials, c
     const CheckedEntries given(dict);
     GrainSource source;
     source.place = dict.place;
-    source.type = given.choice("type", {"positionsFile", "table", "lattice"});
+    source.type = given.choice("type", {"positionsFile", "table", "lattice", "filling"});
     source.material = readMaterialOfGrains(given, materials);
     source.velocity = given.vec("velocity", unit::velocity, Vec3::Zero());
     source.omega = given.vec("omega", unit::rate, Vec3::Zero());
@@ -92,10 +93,11 @@ GrainSource readSource(const Dictionary& dict, const MaterialTable& materials, c
     checkNormalToPlane(given, "omega", source.omega, around.shape.emptyAxis);
     source.isFixed = given.choice("motion", {"free", "fixed"}, usualMotion) == std::string("fixed");
     if (source.type == "lattice") source.lattice = readLattice(given, around);
+    else if (source.type == "filling") readFilling(given, materials, around, mostGrains(around.nRanks), source);
     else source.file = given.text("file");
     source.filePlace = given.place("file");
     if (source.type == "positionsFile") source.diameter = given.number("diameter", above(0, unit::length));
-    source.clump = readClump(given, source, around);
+    if (source.type != "filling") source.clump = readClump(given, source, around);
     given.finish();
     return source;
 }
@@ -104,8 +106,8 @@ GrainSource readSource(const Dictionary& dict, const MaterialTable& materials, c
 void addSource(const Dictionary& dict, const std::string& name, const Surroundings& around, const std::string& usualMotion, Scene& scene)
 {
     const CheckedEntries given(dict);
-    const bool isEntering = given.choice("type", {"positionsFile", "table", "lattice", "entering"}) == "entering";
-    if (!isEntering) scene.sources.push_back(readSource(dict, scene.materials, around, usualMotion.c_str()));
+    const std::string type = given.choice("type", {"positionsFile", "table", "lattice", "filling", "entering"});
+    if (type != "entering") scene.sources.push_back(readSource(dict, scene.materials, around, usualMotion.c_str()));
     else if (usualMotion == "fixed") given.reject("type", "lets grains in that motion fixed would hold", "motion fixed; in the sources that are to be held");
     else readEntry(dict, name, around, scene);
 }

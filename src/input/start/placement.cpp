@@ -4,6 +4,9 @@
 // Placing grains and clumps.
 #include "input/start/placement.hpp"
 
+#include "nscd/base/stopwatch.hpp"
+#include "nscd/tools/filling.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -29,6 +32,8 @@ struct GrainStream
     const PlacementTools& tools;
     const GrainTaker& take;
     nscd::Grains batch;
+    bool remembers = false;       // whether a filling has to know of all that came before
+    nscd::Spheres placed = {};    // of batches before
     std::int64_t taken = 0;
 
     std::int64_t nextId() const { return taken + static_cast<std::int64_t>(batch.size()); }
@@ -45,10 +50,32 @@ struct GrainStream
         nscd::Grains next;
         next.shape = batch.shape;
         taken = nextId();
+        if (remembers) appendTo(placed);
         take(batch);
         batch = std::move(next);
     }
+
+    void appendTo(nscd::Spheres& spheres) const
+    {
+        spheres.center.insert(spheres.center.end(), batch.position.begin(), batch.position.end());
+        spheres.radius.insert(spheres.radius.end(), batch.radius.begin(), batch.radius.end());
+    }
+
+    nscd::Spheres soFar() const
+    {
+        nscd::Spheres all = placed;
+        appendTo(all);
+        return all;
+    }
 };
+
+/// As "packing bed: ..., 3.1 s".
+std::string describe(const nscd::Filling& filling, double seconds)
+{
+    const std::string inside = filling.interiorFraction > 0.0 ? textOf(", in its interior ", filling.interiorFraction) : "";
+    const std::string work = filling.rounds > 0 ? textOf("; ", filling.rounds, filling.rounds > 1 ? " packings, " : " packing, ", filling.sweeps, " sweeps") : "";
+    return textOf("filling: ", filling.grains.size(), " grains, solid fraction ", filling.solidFraction, inside, work, ", ", seconds, " s");
+}
 
 /// Adds the grains of one source.
 class Placement
@@ -57,6 +84,7 @@ public:
     Placement(const Scene& scene, const Surroundings& around, const GrainSource& source, GrainStream& stream)
     :
         materials_(scene.materials),
+        walls_(scene.walls),
         around_(around),
         source_(source),
         stream_(stream),
@@ -89,7 +117,34 @@ public:
         }
     }
 
+    /// Grains of the sources before are in the way.
+    void addFilling(std::size_t number)
+    {
+        const nscd::Walls& walls = stream_.tools.walls ? *stream_.tools.walls : walls_;
+        double seconds = 0.0;
+        const nscd::Filling filling = [&]
+        {
+            const nscd::Stopwatch watch(seconds);
+            return fill({walls, around_.box, around_.shape, around_.midPlane, number});
+        }();
+        stream_.tools.tell(describe(filling, seconds));
+        stream_.reserve(filling.grains.size());
+        for (std::size_t i = 0; i < filling.grains.size(); ++i) add(filling.grains.center[i], 2.0*filling.grains.radius[i], source_.material);
+    }
+
 private:
+    nscd::Filling fill(const nscd::FillingPlace& place) const
+    {
+        try
+        {
+            return nscd::fill(source_.filling, place, stream_.soFar());
+        }
+        catch (const std::invalid_argument& error)
+        {
+            throw InputError({source_.amountPlace, error.what()});
+        }
+    }
+
     void add(Vec3 position, double diameter, int material)
     {
         if (around_.shape.emptyAxis >= 0) position[around_.shape.emptyAxis] = around_.midPlane;
@@ -138,6 +193,7 @@ private:
     }
 
     const MaterialTable& materials_;
+    const nscd::Walls& walls_;
     const Surroundings& around_;
     const GrainSource& source_;
     GrainStream& stream_;
@@ -149,14 +205,17 @@ private:
 
 void placeGrains(const Scene& scene, const Surroundings& around, const PlacementTools& tools, const GrainTaker& take)
 {
-    GrainStream stream{tools, take, {}};
+    const auto isFilling = [](const GrainSource& source) { return source.type == "filling"; };
+    GrainStream stream{tools, take, {}, std::any_of(scene.sources.begin(), scene.sources.end(), isFilling)};
     stream.batch.shape = around.shape;
+    std::size_t fillings = 0;
     for (const GrainSource& source : scene.sources)
     {
         Placement placement(scene, around, source, stream);
         if (source.type == "lattice") placement.addLattice();
         if (source.type == "positionsFile") placement.addPositions();
         if (source.type == "table") placement.addTable();
+        if (source.type == "filling") placement.addFilling(fillings++);
     }
     stream.flush();
 }

@@ -18,6 +18,8 @@ struct PlacementTools
     std::function<nscd::RandomNumbers(std::uint64_t seed)> randomNumbers = nscd::randomNumbers;   ///< of lattices
     std::function<std::vector<Vec3>(const std::string& path, const Place& source)> readPositions = readPositionsFile;
     std::size_t grainsInBatch = std::numeric_limits<std::size_t>::max();   ///< clumps need all grains in one
+    const nscd::Walls* walls = nullptr;   ///< that fillings keep off; left out: those of the scene
+    std::function<void(const std::string&)> tell = [](const std::string&) {};   ///< what the log should say of fillings
 };
 
 /// Takes the next grains of a scene.

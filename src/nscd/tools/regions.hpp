@@ -10,10 +10,26 @@
 namespace nscd
 {
 
+/// Where a point is to a side of a region, or to a wall.
+struct SideProximity
+{
+    double distance;   ///< [m], negative beyond the side
+    Vec3 inward;       ///< unit, from the side to the inside
+};
+
+struct RegionSide
+{
+    std::function<SideProximity(const Vec3&)> to;
+    Vec3 flatNormal = Vec3::Zero();           ///< inward, unit; zero of a curved side
+};
+
 struct Region
 {
     Eigen::AlignedBox3d bounds;               ///< around it [m]
     std::function<bool(const Vec3&)> holds;   ///< whether a point within the bounds is in the region
+    double volume = 0.0;                      ///< [m3], in a plane its area [m2]
+    std::vector<RegionSide> sides;            ///< all of them, but for those of a surface
+    std::vector<Triangle> surface;            ///< around the inside of a closed surface
 };
 
 /// Between two opposite corners, the lower one first [m].
@@ -31,7 +47,8 @@ Region cylinderRegion(const Vec3& start, const Vec3& end, double radius);
 /// Errors:   std::invalid_argument for a surface with an edge that no other triangle continues
 Region surfaceRegion(std::vector<Triangle> triangles);
 
-/// The part of a region in the plane where coordinate `axis` has a value [m]: for discs.
+/// The part of a region in the plane where coordinate `axis` has a value [m]: for discs. Sides across the axis are left out; its area is that of a
+/// box to round-off, of others to 1e-3.
 Region inPlane(Region region, int axis, double value);
 
 /// Of points drawn in the bounds, the share that lies in the region, from ten thousand of them.

@@ -459,6 +459,32 @@ TEST(Ranks, checkTheFirstGrainsTogether)
     EXPECT_TRUE(holds(run.log, {"puts 1 grains outside the mesh", "grain 1 at (0.15 0.05 0.05)"}));
 }
 
+/// Loose and packed grains are where one rank puts them, whichever rank has them, and clear of all walls of the mesh.
+TEST(Ranks, fillRegionsAsOneRankDoes)
+{
+    const std::string sources = "motion fixed; maxInitialOverlap 0; grains { loose { type filling; region { type box; box (0 0 0.05) (0.1 0.1 0.1); } solidFraction 0.2; "
+        "sizes { type normal; mean 0.012; deviation 0.002; min 0.008; max 0.016; } } "
+        "packed { type filling; region { type box; box (0 0 0) (0.1 0.1 0.05); } packing { solidFraction 0.55; } diameter 0.01; } }";
+    const std::string control = "writeFormat binary; endTime 0.001; deltaT 1e-3; writeInterval 1;";
+    const ProgramCase alone(dryFiles(glass + closed + sources), control), together(dryFiles(glass + closed + sources), control);
+    const ProgramRun serial = alone.run();
+    EXPECT_TRUE(succeeds(serial));
+    EXPECT_TRUE(holds(serial.log, {"filling: ", "solid fraction 0.5", "sweeps"}));
+    EXPECT_TRUE(succeeds(together.decompose(labelVector(2, 1, 2))));
+    EXPECT_TRUE(succeeds(together.runOn(4)));
+    EXPECT_GT(alone.reported("0", "grains").at(0), 500);
+    for (const char* column : {"grains", "grainVolume", "massCenterX", "massCenterY", "massCenterZ"})
+    {
+        EXPECT_LT(difference(alone, together, column, 1), 1e-12) << column;
+    }
+    // Beyond the mesh no grain is taken.
+    const ProgramCase outside(dryFiles(glass + closed + with(sources, "(0.1 0.1 0.1)", "(0.1 0.1 0.2)")), control);
+    EXPECT_TRUE(succeeds(outside.decompose(labelVector(2, 1, 1))));
+    const ProgramRun refused = outside.runOn(2);
+    EXPECT_NE(refused.status, 0);
+    EXPECT_TRUE(holds(refused.log, {"grains outside the mesh"}));
+}
+
 TEST(Ranks, anErrorOnOneRankEndsAll)
 {
     const Files files = dryFiles

@@ -40,6 +40,10 @@ inline std::vector<Right> rightInputs()
         {"severalSources", "{ type lattice; box (0 0 0) (0.06 0.06 0.08); count (5 5 5); diameter 0.01; spread 0.2; jitter 0.5; }",
             "{ b { type lattice; box (0.01 0.01 0.1) (0.05 0.05 0.14); spacing 0.02; diameter 0.012; motion fixed; seed 3; }"
             " a { type lattice; box (0.01 0.01 0.15) (0.02 0.02 0.16); count (1 1 1); diameter 0.01; material glass; } }"},
+        {"loose", "type lattice; box (0 0 0) (0.06 0.06 0.08); count (5 5 5); diameter 0.01; spread 0.2; jitter 0.5;",
+            "type filling; region { type cylinder; axis (0.03 0.03 0) (0.03 0.03 0.2); radius 0.03; } mass [1 0 0 0 0 0 0] 0.05; diameter 0.01; seed 4;"},
+        {"packed", "type lattice; box (0 0 0) (0.06 0.06 0.08); count (5 5 5); diameter 0.01; spread 0.2; jitter 0.5;",
+            "type filling; region { type box; box (0 0 0) (0.06 0.06 0.06); } packing { solidFraction 0.5; } diameter 0.01;"},
         {"held", "maxInitialOverlap 0.01;", "maxInitialOverlap 0.5; motion fixed;"},
         {"settings", "type NLGS;", "type queue; tolerance 1e-3; displacementTolerance 2e-3; maxSweeps 7; deadBand 3e-3; overlapTolerance 4e-3; skin 5e-3;"
             " accelerate no; sleep off; vectorPath portable;"},

@@ -85,7 +85,8 @@ nscd::Grains makeFirstGrains
     };
     input::Surroundings around = surroundingsIn(mesh);
     around.shape = scene.space.shape;
-    const input::PlacementTools tools = {foamRandom, readFoamPositions, grainsInBatch};
+    const auto tell = [](const std::string& line) { Info<< line.c_str() << nl; };
+    const input::PlacementTools tools = {foamRandom, readFoamPositions, grainsInBatch, &scene.walls, tell};
     toldByFoam([&] { input::placeGrains(properties, around, tools, keep); });
     homes.checkNoneOutside();
     checkGrains(grains, scene, properties, mesh, exchange);

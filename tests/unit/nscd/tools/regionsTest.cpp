@@ -4,10 +4,13 @@
 // Regions: volumes against formulas, a closed surface against the box that it is, discs' planes, open surfaces.
 #include "nscd/tools/regions.hpp"
 
+#include "unit/nscd/tools/closedSurfaces.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+using closedSurfaces::boxOfTriangles;
 using nscd::Vec3;
 
 namespace
@@ -20,20 +23,7 @@ void expectVolume(const nscd::Region& region, double volume)
 {
     const double share = volume/region.bounds.volume();
     EXPECT_NEAR(nscd::shareOfBounds(region), share, scatter(share));
-}
-
-/// The twelve triangles of the box (0 0 0) (1 2 3), turned outwards.
-std::vector<nscd::Triangle> boxOfTriangles()
-{
-    const auto corner = [](int k) { return Vec3(k & 1, 2*((k >> 1) & 1), 3*(k >> 2)); };
-    const int sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    std::vector<nscd::Triangle> triangles;
-    for (const auto& side : sides)
-    {
-        triangles.push_back({corner(side[0]), corner(side[1]), corner(side[2])});
-        triangles.push_back({corner(side[0]), corner(side[2]), corner(side[3])});
-    }
-    return triangles;
+    EXPECT_NEAR(region.volume, volume, 1e-12*volume);
 }
 
 } // namespace
