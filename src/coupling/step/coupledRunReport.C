@@ -11,7 +11,11 @@
 #include "coupling/case/files/writtenFiles.H"
 #include "coupling/case/log/grainTotals.H"
 
+#include "parallel/idDirectory.hpp"
+#include "parallel/rankTree.hpp"
+
 #include <algorithm>
+#include <unordered_set>
 
 namespace Foam
 {
@@ -28,6 +32,34 @@ label pressureIterations(const fvMesh& mesh)
     label sum = 0;
     for (const auto& solve : solves) sum += solve.nIterations();
     return sum;
+}
+
+/// Whether the grain of each identity is there, on any rank. Collective.
+std::vector<bool> areThere(const std::vector<std::int64_t>& ids, const ::nscd::Grains& grains, const GrainRanks& ranks)
+{
+    std::vector<bool> found;
+    if (ranks.isParallel())
+    {
+        for (const int owner : ::nscd::IdDirectory(ranks.tree().all(), grains.id).owners(ids)) found.push_back(owner >= 0);
+        return found;
+    }
+    const std::unordered_set<std::int64_t> known(grains.id.begin(), grains.id.end());
+    for (const std::int64_t id : ids) found.push_back(known.count(id) > 0);
+    return found;
+}
+
+/// A grain that left in this step may have touched one that is still there.
+void dropContactsOfThoseGone(GrainState& state, const GrainRanks& ranks)
+{
+    std::vector<std::int64_t> partners;
+    for (const ::nscd::StoredImpulse& contact : state.contacts) partners.push_back(contact.idB < 0 ? contact.idA : contact.idB);
+    const std::vector<bool> isThere = areThere(partners, state.grains, ranks);
+    std::vector<::nscd::StoredImpulse> kept;
+    for (std::size_t k = 0; k < isThere.size(); ++k)
+    {
+        if (isThere[k]) kept.push_back(state.contacts[k]);
+    }
+    state.contacts = std::move(kept);
 }
 
 } // namespace
@@ -126,6 +158,7 @@ void CoupledRun::write()
     writeOrRefuse(time_.timePath(), [&] { return time_.write(); });
     writeExactTime(time_);
     GrainState state = takeState();
+    dropContactsOfThoseGone(state, ranks_);
     if (ranks_.isParallel()) writeOnHomes(std::move(state));
     else
     {
