@@ -13,10 +13,11 @@ namespace
 {
 
 const char* const usage =
-    "usage: nscdGrains [scene] [-restart | -overwrite]\n"
+    "usage: nscdGrains [scene] [-restart | -overwrite] [-pack table]\n"
     "  scene       the dictionary of the scene; left out: the file `scene` in this folder\n"
     "  -restart    goes on from the state written last\n"
     "  -overwrite  starts anew where results of an earlier run are\n"
+    "  -pack       writes the first grains to a table, which sources of type `table` read, and runs nothing\n"
     "Keywords: scene.example beside the sources, applications/utilities/nscdGrains.\n";
 
 } // namespace

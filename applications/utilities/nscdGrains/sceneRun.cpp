@@ -4,6 +4,7 @@
 // Reading, starting and running a scene.
 #include "sceneRun.hpp"
 
+#include "grainTable.hpp"
 #include "resultsFolder.hpp"
 #include "runLog.hpp"
 #include "vtkFiles.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <numeric>
 
@@ -247,6 +249,15 @@ std::unique_ptr<SceneRun> begin(const SceneSettings& scene, const ResultsFolder&
     }
 }
 
+/// Grains that enter during a run are not among them.
+void packScene(const RunOptions& options, const SceneSettings& scene, std::ostream& log)
+{
+    if (!options.overwrites && std::filesystem::exists(options.table)) throw std::runtime_error(options.table + " exists: -overwrite writes it anew");
+    const nscd::Grains grains = newStart(scene, log).grains;
+    writeGrainTable(options.table, scene, grains);
+    log << options.table << ": " << grains.size() << " grains" << std::endl;
+}
+
 } // namespace
 
 RunOptions readOptions(int argc, const char* const* argv)
@@ -258,10 +269,12 @@ RunOptions readOptions(int argc, const char* const* argv)
         const std::string given = argv[i];
         if (given == "-restart") options.goesOn = true;
         else if (given == "-overwrite") options.overwrites = true;
+        else if (given == "-pack" && i + 1 < argc && argv[i + 1][0] != '-') options.table = argv[++i];
+        else if (given == "-pack") throw InputError({{"command line"}, "-pack lacks the file to be written", "", "nscdGrains scene -pack grains.txt"});
         else if (given[0] == '-' || hasScene)
         {
             const std::string problem = hasScene && given[0] != '-' ? "is a second scene" : "is no option of nscdGrains";
-            throw InputError({{"command line"}, given + " " + problem, given, "", {"-restart", "-overwrite", "-help"}});
+            throw InputError({{"command line"}, given + " " + problem, given, "", {"-restart", "-overwrite", "-pack", "-help"}});
         }
         else
         {
@@ -270,6 +283,7 @@ RunOptions readOptions(int argc, const char* const* argv)
         }
     }
     if (options.goesOn && options.overwrites) throw InputError({{"command line"}, "-restart goes on, -overwrite starts anew", "", "one of the two"});
+    if (options.goesOn && !options.table.empty()) throw InputError({{"command line"}, "-restart goes on, -pack writes first grains", "", "one of the two"});
     return options;
 }
 
@@ -290,6 +304,11 @@ void refuseRanks()
 void runScene(const RunOptions& options, std::ostream& log)
 {
     const SceneSettings scene = readScene(options.scene);
+    if (!options.table.empty())
+    {
+        packScene(options, scene, log);
+        return;
+    }
     const ResultsFolder results(scene.pathOf(scene.run.results));
     if (!options.goesOn && !options.overwrites && results.hasResults())
     {

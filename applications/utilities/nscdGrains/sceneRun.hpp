@@ -15,6 +15,7 @@ struct RunOptions
     std::string scene = "scene";   ///< path of the dictionary
     bool goesOn = false;           ///< from the state written last
     bool overwrites = false;       ///< results of an earlier run
+    std::string table = "";        ///< path of a table that the first grains are written to, in place of a run
 };
 
 /// Options from the command line, without the program's name.

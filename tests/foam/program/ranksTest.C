@@ -478,7 +478,7 @@ TEST(Ranks, fillRegionsAsOneRankDoes)
         EXPECT_LT(difference(alone, together, column, 1), 1e-12) << column;
     }
     // Beyond the mesh no grain is taken.
-    const ProgramCase outside(dryFiles(glass + closed + with(sources, "(0.1 0.1 0.1)", "(0.1 0.1 0.2)")), control);
+    const ProgramCase outside(dryFiles(glass + closed + with(sources, "(0.1 0.1 0.1)", "(0.2 0.1 0.1)")), control);
     EXPECT_TRUE(succeeds(outside.decompose(labelVector(2, 1, 1))));
     const ProgramRun refused = outside.runOn(2);
     EXPECT_NE(refused.status, 0);

@@ -71,6 +71,19 @@ inline std::string rounded(const Eigen::MatrixXd& values)
     return os.str() + '\n';
 }
 
+inline void describe(const nscd::GrainLattice& lattice, std::ostream& os)
+{
+    os << lattice.lower.transpose() << ' ' << lattice.upper.transpose() << ' ' << lattice.count[0] << ' ' << lattice.count[1] << ' ' << lattice.count[2] << ' '
+       << lattice.diameter << ' ' << lattice.spread << ' ' << lattice.jitter << ' ' << lattice.seed << '\n';
+}
+
+inline void describe(const nscd::FillingSource& filling, std::ostream& os)
+{
+    os << filling.region.bounds.min().transpose() << ' ' << filling.region.bounds.max().transpose() << ' ' << filling.region.volume << ' '
+       << filling.sizes.smallest << ' ' << filling.sizes.largest << ' ' << filling.density << ' ' << static_cast<int>(filling.measure) << ' '
+       << filling.amount << ' ' << filling.isPacked << ' ' << filling.seed << '\n';
+}
+
 /// Everything of a scene but its places and texts, numbers to the last bit; motions at a few times.
 inline std::string everythingOf(const input::Scene& scene)
 {
@@ -103,11 +116,10 @@ inline std::string everythingOf(const input::Scene& scene)
     }
     for (const input::GrainSource& source : scene.sources)
     {
-        const nscd::GrainLattice& lattice = source.lattice;
         os << "source " << source.type << ' ' << source.file << ' ' << source.diameter << ' ' << source.material << ' ' << source.isFixed << ' '
-           << source.velocity.transpose() << ' ' << source.omega.transpose() << ' ' << lattice.lower.transpose() << ' ' << lattice.upper.transpose() << ' '
-           << lattice.count[0] << ' ' << lattice.count[1] << ' ' << lattice.count[2] << ' ' << lattice.diameter << ' ' << lattice.spread << ' '
-           << lattice.jitter << ' ' << lattice.seed << '\n';
+           << source.velocity.transpose() << ' ' << source.omega.transpose() << '\n';
+        if (source.type == "lattice") describe(source.lattice, os);
+        if (source.type == "filling") describe(source.filling, os);
     }
     for (const input::DrivenGroup& group : scene.driven)
     {

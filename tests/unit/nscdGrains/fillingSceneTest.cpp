@@ -99,6 +99,26 @@ TEST_F(Fillings, leaveTheGrainsOfSourcesBeforeAlone)
     EXPECT_EQ(sceneFiles::readAndPlace(sceneWith(loose)).velocity[59], nscd::Vec3(0, 0, -0.5));
 }
 
+TEST_F(Fillings, areReadBackToTheBitFromTheTableThatPackWrites)
+{
+    write("scene", sceneWith("a { " + loose + " } b { type lattice; box (0.02 0.02 0.19) (0.04 0.04 0.2); count (1 1 1); diameter 0.007; }") + "maxInitialOverlap 1;");
+    std::ostringstream log;
+    nscdGrains::RunOptions options{folder/"scene", false, false, folder/"grains.txt"};
+    nscdGrains::runScene(options, log);
+    EXPECT_FALSE(std::filesystem::exists(folder/"results"));
+    const nscd::Grains first = nscdGrains::placeGrains(nscdGrains::readScene(folder/"scene"));
+    write("again", sceneWith("type table; file grains.txt;") + "maxInitialOverlap 1;");
+    const nscd::Grains again = nscdGrains::placeGrains(nscdGrains::readScene(folder/"again"));
+    ASSERT_EQ(again.size(), 61u);
+    EXPECT_EQ(again.position, first.position);
+    EXPECT_EQ(again.radius, first.radius);
+    EXPECT_EQ(again.material, first.material);
+    // Another one is not written over it.
+    EXPECT_THROW(nscdGrains::runScene(options, log), std::runtime_error);
+    options.overwrites = true;
+    EXPECT_NO_THROW(nscdGrains::runScene(options, log));
+}
+
 TEST_F(Fillings, areToldInTheLogWithTheirTime)
 {
     write("scene", changed(sceneWith(dense), "endTime   0.09", "endTime   0.002") + "results out;\n");

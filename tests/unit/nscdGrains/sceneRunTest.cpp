@@ -288,6 +288,6 @@ TEST(SceneOptions, areRead)
     EXPECT_EQ(nscdGrains::readOptions(0, nullptr).scene, "scene");
     EXPECT_EQ(nscdGrains::readOptions(2, given).scene, "my.scene");
     EXPECT_TRUE(nscdGrains::readOptions(2, given).goesOn);
-    const char* const bad[][2] = {{"-restrat", "x"}, {"a", "b"}, {"-restart", "-overwrite"}};
+    const char* const bad[][2] = {{"-restrat", "x"}, {"a", "b"}, {"-restart", "-overwrite"}, {"a", "-pack"}};
     for (const auto& options : bad) EXPECT_THROW(nscdGrains::readOptions(2, options), input::InputError);
 }
