@@ -134,6 +134,19 @@ ProgramRun ProgramCase::runOn(label ranks, const std::string& arguments) const
     return execute(command.str(), "ranks");
 }
 
+void ProgramCase::goOnOnFourOneAndTwo(const std::string& one, const std::string& two) const
+{
+    EXPECT_TRUE(succeeds(decompose(labelVector(2, 2, 1))));
+    EXPECT_TRUE(succeeds(runOn(4)));
+    EXPECT_TRUE(succeeds(run("reconstructPar", "-latestTime")));
+    writeControl(one);
+    EXPECT_TRUE(succeeds(run()));
+    // Where the upper half of the mesh holds no grain, it gets no file of them.
+    EXPECT_TRUE(succeeds(decompose(labelVector(1, 1, 2))));
+    writeControl(two);
+    EXPECT_TRUE(succeeds(runOn(2)));
+}
+
 std::string ProgramCase::contents(const fileName& file) const
 {
     std::ifstream is(path(file));

@@ -45,16 +45,10 @@ GrainAmounts amountsOf
     {
         const Vec3 own = step.at.ownWake.empty() ? Vec3::Zero() : step.at.ownWake[i];
         const Vec3 intercept = response.intercept[i] - response.slip[i]*own;
-        amounts.drag[i] = (drag.implicit[i]*(1 - response.slip[i]) + drag.remainder[i])/fluidDensity;
+        amounts.drag[i] = (drag.implicit[i]*(1 - response.slip[i]) + drag.remainder[i] + drag.pullCoefficient(i))/fluidDensity;
         const Vec3 repaid = repaidShare/deltaT*debt[i];
-        amounts.acceleration[i] =
-            (drag.implicit[i]*(intercept + own) + drag.remainder[i]*(grains.velocity[i] + own) + repaid)/fluidDensity;
-        if (!drag.addedMass.empty())
-        {
-            const scalar pulled = drag.addedMass[i]/(drag.deltaT*fluidDensity);
-            amounts.drag[i] += pulled;
-            amounts.acceleration[i] += pulled*(drag.startFluid[i] + own);
-        }
+        const Vec3 answered = drag.implicit[i]*(intercept + own) + drag.remainder[i]*(grains.velocity[i] + own) - drag.pull(i, -own);
+        amounts.acceleration[i] = (answered + repaid)/fluidDensity;
         amounts.carried[i] = grains.volume(i)*intercept;
         if (response.isZero) continue;
         amounts.pressure[i] = drag.implicit[i]*response.mobility[i];

@@ -80,12 +80,13 @@ nscd::GrainLattice readLattice(const CheckedEntries& given, const Surroundings& 
     return lattice;
 }
 
-GrainSource readSource(const Dictionary& dict, const MaterialTable& materials, const Surroundings& around, const char* usualMotion)
+GrainSource readSource(const Dictionary& dict, const std::string& type, const MaterialTable& materials, const Surroundings& around, const char* usualMotion)
 {
     const CheckedEntries given(dict);
     GrainSource source;
     source.place = dict.place;
-    source.type = given.choice("type", {"positionsFile", "table", "lattice", "filling"});
+    given.found("type");
+    source.type = type;
     source.material = readMaterialOfGrains(given, materials);
     source.velocity = given.vec("velocity", unit::velocity, Vec3::Zero());
     source.omega = given.vec("omega", unit::rate, Vec3::Zero());
@@ -107,7 +108,7 @@ void addSource(const Dictionary& dict, const std::string& name, const Surroundin
 {
     const CheckedEntries given(dict);
     const std::string type = given.choice("type", {"positionsFile", "table", "lattice", "filling", "entering"});
-    if (type != "entering") scene.sources.push_back(readSource(dict, scene.materials, around, usualMotion.c_str()));
+    if (type != "entering") scene.sources.push_back(readSource(dict, type, scene.materials, around, usualMotion.c_str()));
     else if (usualMotion == "fixed") given.reject("type", "lets grains in that motion fixed would hold", "motion fixed; in the sources that are to be held");
     else readEntry(dict, name, around, scene);
 }

@@ -97,14 +97,7 @@ TEST(Ranks, goOnLettingGrainsInOnAnotherNumber)
 {
     const ProgramCase whole(coupled(), control + "writeInterval 10; endTime 0.06;"), parts(coupled(), control + "writeInterval 10; endTime 0.02;");
     EXPECT_TRUE(succeeds(whole.run()));
-    EXPECT_TRUE(succeeds(parts.decompose(labelVector(2, 2, 1))));
-    EXPECT_TRUE(succeeds(parts.runOn(4)));
-    EXPECT_TRUE(succeeds(parts.run("reconstructPar", "-latestTime")));
-    parts.writeControl(control + "writeInterval 10; endTime 0.04;");
-    EXPECT_TRUE(succeeds(parts.run()));
-    EXPECT_TRUE(succeeds(parts.decompose(labelVector(1, 1, 2))));
-    parts.writeControl(control + "writeInterval 10; endTime 0.06;");
-    EXPECT_TRUE(succeeds(parts.runOn(2)));
+    parts.goOnOnFourOneAndTwo(control + "writeInterval 10; endTime 0.04;", control + "writeInterval 10; endTime 0.06;");
     expectSameCounts(whole, parts, {"0", "0.02", "0.04"});
 }
 

@@ -287,15 +287,7 @@ TEST(Ranks, goOnOnAnotherNumberWithTheImpulses)
     const std::string control = "writeFormat binary; writeInterval 5; ";
     const ProgramCase whole(dryFiles(heap + closed), control + "endTime 0.015;"), parts(dryFiles(heap + closed), control + "endTime 0.005;");
     EXPECT_TRUE(succeeds(whole.run()));
-    EXPECT_TRUE(succeeds(parts.decompose(labelVector(2, 2, 1))));
-    EXPECT_TRUE(succeeds(parts.runOn(4)));
-    EXPECT_TRUE(succeeds(parts.run("reconstructPar", "-latestTime")));
-    parts.writeControl(control + "endTime 0.01;");
-    EXPECT_TRUE(succeeds(parts.run()));
-    // The upper half of the mesh holds no grain, and gets no file of them.
-    EXPECT_TRUE(succeeds(parts.decompose(labelVector(1, 1, 2))));
-    parts.writeControl(control + "endTime 0.015;");
-    EXPECT_TRUE(succeeds(parts.runOn(2)));
+    parts.goOnOnFourOneAndTwo(control + "endTime 0.01;", control + "endTime 0.015;");
 
     const std::vector<std::string> starts = {"0", "0.005", "0.01"};
     const std::vector<double> force = whole.reported("0", "wallForceZ"), center = whole.reported("0", "massCenterZ");

@@ -17,19 +17,6 @@ using sceneFiles::goodScene;
 namespace
 {
 
-Complaint complaint(const std::string& text, const std::string& file)
-{
-    try
-    {
-        sceneFiles::readAndPlace(text, file);
-    }
-    catch (const input::InputError& error)
-    {
-        return {error.mistake().place.file, error.mistake().place.line, input::describe(error.mistake())};
-    }
-    return {};
-}
-
 /// What makes a scene of a text, in the last line.
 std::string sceneOf(const std::string& text, Space space)
 {
@@ -45,7 +32,7 @@ protected:
         return [this](const std::string& text, Space space, const std::string& file)
         {
             write("grains.txt", file);
-            return complaint(sceneOf(text, space), folder/"scene");
+            return sceneFiles::complaint(sceneOf(text, space), folder/"scene");
         };
     }
 };
@@ -124,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Texts, RightInputs, testing::ValuesIn(frontEnds::rightI
 TEST_P(BadScenes, areRefusedInWords)
 {
     const Wrong& bad = GetParam();
-    const Complaint said = complaint(frontEnds::changed(goodScene(), bad.from, bad.to), "folder/bad.scene");
+    const Complaint said = sceneFiles::complaint(frontEnds::changed(goodScene(), bad.from, bad.to), "folder/bad.scene");
     ASSERT_FALSE(said.text.empty()) << "was accepted";
     EXPECT_EQ(said.file, "folder/bad.scene");
     EXPECT_EQ(said.line, bad.line) << said.text;

@@ -6,6 +6,7 @@
 
 #include "sceneSettings.hpp"
 #include "unit/input/folders.hpp"
+#include "unit/input/frontEnds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,35 @@ inline nscd::Grains readAndPlace(const std::string& text, const std::string& fil
     const nscd::Grains grains = nscdGrains::placeGrains(scene);
     nscdGrains::checkGrains(scene, grains);
     return grains;
+}
+
+/// The good scene with another source of grains.
+inline std::string sceneWith(const std::string& source)
+{
+    return changed(goodScene(), "type lattice; box (0 0 0) (0.06 0.06 0.08); count (5 5 5); diameter 0.01; spread 0.2; jitter 0.5;", source);
+}
+
+/// What is said of a scene; no text where nothing is wrong.
+inline frontEnds::Complaint complaint(const std::string& text, const std::string& file = "folder/scene")
+{
+    try
+    {
+        readAndPlace(text, file);
+    }
+    catch (const input::InputError& error)
+    {
+        return {error.mistake().place.file, error.mistake().place.line, input::describe(error.mistake())};
+    }
+    return {};
+}
+
+/// Refused for what is wrong in a line, with these pieces of text.
+inline void expectRefused(const std::string& text, int line, const std::vector<std::string>& mentions)
+{
+    const frontEnds::Complaint said = complaint(text);
+    ASSERT_FALSE(said.text.empty()) << "was accepted";
+    EXPECT_EQ(said.line, line) << said.text;
+    frontEnds::expectMentions(said, mentions);
 }
 
 inline std::string bytesOf(const std::filesystem::path& path)

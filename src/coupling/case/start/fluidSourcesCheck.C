@@ -24,6 +24,15 @@ bool drivesMeanFlow(const word& type)
     return types.found(type);
 }
 
+wordList fieldsWithSources(const fvMesh& mesh, const word& fluidFraction)
+{
+    DynamicList<word> names{"U", fluidFraction};
+    const wordList turbulent{"k", "epsilon", "omega", "nuTilda", "v2", "f", "kt", "kl", "ReThetat", "gammaInt"};
+    for (const word& name : turbulent) if (mesh.foundObject<volScalarField>(name)) names.append(name);
+    if (mesh.foundObject<volSymmTensorField>("R")) names.append("R");
+    return wordList(names);
+}
+
 void checkFluidSource(const fv::option& option, const IOdictionary& dict, const wordList& fields)
 {
     const Place place = placeOf(dict, option.name());
@@ -39,16 +48,6 @@ void checkFluidSource(const fv::option& option, const IOdictionary& dict, const 
 }
 
 } // namespace
-
-
-wordList fieldsWithSources(const fvMesh& mesh, const word& fluidFraction)
-{
-    DynamicList<word> names{"U", fluidFraction};
-    const wordList turbulent{"k", "epsilon", "omega", "nuTilda", "v2", "f", "kt", "kl", "ReThetat", "gammaInt"};
-    for (const word& name : turbulent) if (mesh.foundObject<volScalarField>(name)) names.append(name);
-    if (mesh.foundObject<volSymmTensorField>("R")) names.append("R");
-    return wordList(names);
-}
 
 
 void checkFluidSources(const fv::options& options, const word& fluidFraction)
