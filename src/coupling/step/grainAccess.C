@@ -46,7 +46,8 @@ void GrainAccess::showMapping(const std::unique_ptr<GrainMapping>& mapping, cons
 std::vector<scalarField> GrainAccess::perVolume(std::vector<std::vector<scalar>> amounts) const
 {
     std::vector<scalarField> cells(amounts.size(), scalarField(nCells_, Zero));
-    if (!*mapping_) return cells;
+    // A mapping that never saw grains has no shares.
+    if (!*mapping_ || returnReduce(label(grains_->nOwned), sumOp<label>()) == 0) return cells;
     GrainValues values;
     for (std::vector<scalar>& amount : amounts) values.scalars.push_back(&amount);
     atHome_->toHomes(values);

@@ -56,7 +56,8 @@ struct FieldsOf
         mapping(std::make_unique<GrainMapping>(mesh, dict, 0.35, own.shape.dimensions)),
         access(mesh, roles, box, materials)
     {
-        mapping->update(atHome.grains().size() > 0 || Pstream::parRun() ? atHome.grains() : own, box);
+        const bool hasGrains = returnReduce(label(own.size()), sumOp<label>()) > 0;
+        if (hasGrains) mapping->update(atHome.grains().size() > 0 || Pstream::parRun() ? atHome.grains() : own, box);
         access.show(own);
         access.showMapping(mapping, atHome);
         functionObjects::GrainFields("fields", mesh.time(), dictionaryOf("type grainFields;"));
@@ -177,6 +178,15 @@ TEST(GrainFields, ofGrainsThatMoveAlikeAreUniformAndCold)
         }
         if (smoothed > 0) EXPECT_LT(least, 1e-11*max(fields.density()));
     }
+}
+
+TEST(GrainFields, areZeroBeforeTheFirstGrain)
+{
+    BoxMesh box(unitCells(nCells));
+    const FieldsOf fields(box.mesh(), ::nscd::Grains(), mappingDict("exact", 3));
+    EXPECT_EQ(max(fields.density()), 0);
+    EXPECT_EQ(max(mag(fields.velocity())), 0);
+    EXPECT_EQ(max(mag(fields.stress())), 0);
 }
 
 TEST(GrainFields, ofDiscsHaveATemperatureOfTwoDirections)
