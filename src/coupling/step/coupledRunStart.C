@@ -170,6 +170,7 @@ void CoupledRun::startFluid()
 {
     const ::nscd::Grains& grains = dynamics_->grains();
     immersion_ = std::make_unique<Immersion>(mesh_, ranks_.isParallel() ? GrainsAtHome(ranks_.tree()) : GrainsAtHome());
+    access_.showMapping(immersion_->mapping, immersion_->atHome);
     if (mayHaveGrains())
     {
         const scalar cellSize = meanCellSize(mesh_);
