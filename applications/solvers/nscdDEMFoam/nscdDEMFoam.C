@@ -6,6 +6,7 @@
 #include "coupling/case/files/processorFolders.H"
 #include "coupling/case/start/caseText.H"
 #include "coupling/case/start/controlEdits.H"
+#include "coupling/case/start/functionTypes.H"
 #include "coupling/case/start/meshCheck.H"
 #include "coupling/case/start/parallelRefusal.H"
 #include "coupling/case/start/toldErrors.H"
@@ -48,6 +49,7 @@ void runCase(const Foam::argList& args)
     nscdCoupling::checkControlText(args);
     #include "createTime.H"
     nscdCoupling::checkStartText(runTime);
+    nscdCoupling::checkFunctionTypes(runTime);
     autoPtr<fvMesh> mesh = nscdCoupling::readMesh(runTime);
     runSteps(runTime, *mesh);
 }

@@ -171,6 +171,17 @@ void expectHeightOfALattice(const labelVector& parts)
 TEST(BedHeight, isThatOfALattice) { expectHeightOfALattice(labelVector(1, 1, 1)); }
 TEST(Ranks, findTheHeightOfALattice) { expectHeightOfALattice(labelVector(1, 1, 2)); }
 
+TEST(FunctionTypes, areRefusedWhereNoLibraryHasThem)
+{
+    EXPECT_TRUE(isRefused("flux { type grainFlix; }", {"system/controlDict", "functions.flux.type", "grainFlix", "nearest: grainFlux"}));
+    EXPECT_TRUE(isRefused("flux { planes {} }", {"system/controlDict", "functions.flux", "has no type"}));
+    const std::string mean = "means { type fieldAverage; fields (p); ", libs = "libs (\"libfieldFunctionObjects.so\"); ";
+    EXPECT_TRUE(isRefused(mean + "}", {"system/controlDict", "functions.means.type", "fieldAverage", "`libs`"}));
+    const std::string rest = "} other { type fieldAverage; enabled no; fields (); } typo { type grainFlix; enabled no; }";
+    EXPECT_TRUE(succeeds(ProgramCase(weightlessFiles(risingGrains), functionsOf(mean + libs + "enabled no; " + rest)).run()));
+    EXPECT_TRUE(succeeds(ProgramCase(weightlessFiles(risingGrains), functionsOf("a { type timeInfo; libs (\"libutilityFunctionObjects.so\"); }")).run()));
+}
+
 TEST(BedHeight, refusesBadInput)
 {
     const std::string start = "bed\n{\ntype bedHeight;\n", floor = "floor { point (0 0 0); normal (0 0 1); } ";
