@@ -68,15 +68,12 @@ scalar meanCellSize(const fvMesh& mesh)
     return empty < 0 ? std::cbrt(volume) : std::sqrt(volume/mesh.bounds().span()[empty]);
 }
 
-/// Cells that see single grains among many: the drag of a random bed is read too high (src/coupling/measured.md).
-void noteSmallCells(const VoidFractionSettings& settings, std::int64_t number, scalar meanDiameter, scalar cellSize)
+/// What is smoothed though the case does not say so.
+void tellChosenWidth(const VoidFractionSettings& settings, scalar meanDiameter, scalar cellSize)
 {
-    constexpr scalar smallCells = 1.5;
-    constexpr std::int64_t many = 100;
-    if (settings.diffusion > 0 || settings.filterWidth > 0) return;
-    if (number < many || cellSize > smallCells*meanDiameter) return;
-    Info<< "cells of " << cellSize/meanDiameter << " mean diameters see single grains: the drag of random beds is read too high, "
-        << "by 4 % at 1.5, 11 % at 1, 75 % at 0.5 diameters; `voidFraction { filterWidth 2; }` ends that" << nl;
+    const scalar width = settings.chosenWidth(meanDiameter, cellSize);
+    if (settings.filterWidth || width == 0) return;
+    Info<< "voidFraction: filterWidth " << width << ", as cells are " << cellSize/meanDiameter << " mean diameters wide" << nl;
 }
 
 GrainProperties readRunnable(const Time& time, const polyMesh& mesh)
@@ -176,7 +173,7 @@ void CoupledRun::startFluid()
         const scalar cellSize = meanCellSize(mesh_);
         const dictionary voidFraction = properties_.voidFraction.forMapping(meanDiameter_, cellSize);
         const scalar largest = returnReduce(input::largestDiameter(properties_, grains), maxOp<scalar>());
-        if (properties_.hasFeedback) noteSmallCells(properties_.voidFraction, nGrains_, meanDiameter_, cellSize);
+        tellChosenWidth(properties_.voidFraction, meanDiameter_, cellSize);
         immersion_->mapping = std::make_unique<GrainMapping>(mesh_, voidFraction, 0.5*largest, scene_.space.shape.dimensions);
     }
     GrainSources& sources = immersion_->sources;

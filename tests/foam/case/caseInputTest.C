@@ -107,6 +107,17 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_EQ(p.time.subCycles, 3);
 }
 
+// Cells below 2 d are widened to that; not where a case says how much to smooth, nor where nothing is read of the solid fraction.
+TEST(GrainProperties, smallCellsAreWidenedUnlessACaseSaysHowMuch)
+{
+    const scalar d = 1e-3;
+    EXPECT_EQ(read(first).voidFraction.chosenWidth(d, 1.9*d), 2);
+    EXPECT_EQ(read(first).voidFraction.diffusionLength(d, 2*d), 0);
+    EXPECT_EQ(read(first + "voidFraction { filterWidth 0; }").voidFraction.diffusionLength(d, d), 0);
+    EXPECT_EQ(read(first + "voidFraction { diffusion 3; }").voidFraction.diffusionLength(d, d), 3*d);
+    EXPECT_EQ(read(first + "feedback off;").voidFraction.diffusionLength(d, d), 0);
+}
+
 // A cell of width h spreads as a kernel of variance h^2/12 does; smoothing adds what is missing to that of the width wanted.
 TEST(GrainProperties, smoothingMakesUpForWhatCellsLackToAWidth)
 {

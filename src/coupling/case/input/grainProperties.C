@@ -61,10 +61,10 @@ VoidFractionSettings readVoidFraction(const CheckedEntries& top)
     VoidFractionSettings settings;
     settings.method = given.choice("method", toWords(voidFractionMethodNames()), settings.method);
     settings.diffusion = given.number("diffusion", input::atLeast(0), settings.diffusion);
-    settings.filterWidth = given.number("filterWidth", input::atLeast(0), settings.filterWidth);
-    if (settings.diffusion > 0 && settings.filterWidth > 0)
+    if (given.found("filterWidth")) settings.filterWidth = given.number("filterWidth", input::atLeast(0), 0);
+    if (settings.diffusion > 0 && settings.filterWidth.value_or(0) > 0)
     {
-        fail({given.place("filterWidth"), "says how much to smooth, as `diffusion` does beside it", messageText(settings.filterWidth), "0 for one of the two"});
+        fail({given.place("filterWidth"), "says how much to smooth, as `diffusion` does beside it", messageText(*settings.filterWidth), "0 for one of the two"});
     }
     settings.minFluidFraction = given.number("minFluidFraction", input::within(0, 1), settings.minFluidFraction);
     given.finish();
@@ -126,6 +126,8 @@ void readCoupling(const CheckedEntries& top, const input::Surroundings& around, 
     properties.meanFlowPlace = top.place("meanFlow");
     properties.meanFlow = toFoam(top.vec("meanFlow", input::unit::velocity, nscd::Vec3::Zero()));
     properties.voidFraction = readVoidFraction(top);
+    // Nothing is read of the solid fraction then.
+    if (!properties.hasFeedback && !properties.voidFraction.filterWidth) properties.voidFraction.filterWidth = 0;
     properties.forces = readForces(top, around);
     properties.time = readTimeSettings(top);
 }
@@ -171,11 +173,20 @@ std::unique_ptr<IOdictionary> readWithoutTraps(const IOobject& io)
 } // namespace
 
 
+scalar VoidFractionSettings::chosenWidth(scalar meanDiameter, scalar cellSize) const
+{
+    constexpr scalar enough = 2;
+    if (filterWidth) return *filterWidth;
+    return diffusion == 0 && cellSize < enough*meanDiameter ? enough : 0;
+}
+
+
 scalar VoidFractionSettings::diffusionLength(scalar meanDiameter, scalar cellSize) const
 {
-    if (filterWidth == 0) return diffusion*meanDiameter;
+    const scalar width = chosenWidth(meanDiameter, cellSize);
+    if (width == 0) return diffusion*meanDiameter;
     const scalar ofCells = 8*std::log(2.0)/12*sqr(cellSize);
-    return std::sqrt(max(scalar(0), sqr(filterWidth*meanDiameter) - ofCells));
+    return std::sqrt(max(scalar(0), sqr(width*meanDiameter) - ofCells));
 }
 
 
