@@ -4,10 +4,9 @@
 // Mass, momentum and momentum flux of the grains by cells, and the fields that follow from them.
 #include "functionObjects/grainFields.H"
 
-#include "functionObjects/functionEntries.H"
+#include "functionObjects/cellFields.H"
 
 #include "addToRunTimeSelectionTable.H"
-#include "zeroGradientFvPatchFields.H"
 
 namespace Foam
 {
@@ -49,57 +48,22 @@ std::vector<std::vector<scalar>> amountsOf(const ::nscd::Grains& grains)
     return amounts;
 }
 
-/// The field of a name in the mesh's registry, which owns it; made where there is none.
-template<class Type>
-GeometricField<Type, fvPatchField, volMesh>& registered(const fvMesh& mesh, const word& name, const dimensionSet& dimensions)
-{
-    using VolField = GeometricField<Type, fvPatchField, volMesh>;
-    if (!mesh.foundObject<VolField>(name))
-    {
-        const dimensioned<Type> zero("zero", dimensions, Zero);
-        const word border = zeroGradientFvPatchField<Type>::typeName;
-        regIOobject::store(new VolField(IOobject(name, mesh.time().timeName(), mesh), mesh, zero, border));
-    }
-    return mesh.lookupObjectRef<VolField>(name);
-}
-
-/// Components of a cell, one after another from `first`.
-template<class Type>
-Type valueOf(const std::vector<scalarField>& sums, std::size_t first, label cell)
-{
-    Type value;
-    for (direction k = 0; k < pTraits<Type>::nComponents; ++k) setComponent(value, k) = sums[first + k][cell];
-    return value;
-}
-
 } // namespace
 
 
 GrainFields::GrainFields(const word& name, const Time& runTime, const dictionary& dict)
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    access_(nscdCoupling::GrainAccess::of(mesh_, nscdCoupling::placeOf(dict)))
+    GrainObject(name, runTime, dict)
 {
     read(dict);
-    if (!access_.isMapped())
-    {
-        nscdCoupling::fail({nscdCoupling::placeOf(dict), "needs a fluid", "fluid none", "a run with a fluid: fields are made as its void fraction is"});
-    }
+    requireFluid(dict);
     execute();
-}
-
-
-bool GrainFields::read(const dictionary& dict)
-{
-    nscdCoupling::readFunction(dict, [](const input::CheckedEntries&) {});
-    hasWriteControl_ = dict.found("writeControl") || dict.found("outputControl");
-    return fvMeshFunctionObject::read(dict);
 }
 
 
 bool GrainFields::execute()
 {
-    const std::vector<scalarField> sums = access_.perVolume(amountsOf(access_.grains()));
+    const std::vector<scalarField> sums = access().perVolume(amountsOf(access().grains()));
     volScalarField& bulkDensity = registered<scalar>(mesh_, bulkDensityName, dimDensity);
     volVectorField& velocity = registered<vector>(mesh_, velocityName, dimVelocity);
     volScalarField& temperature = registered<scalar>(mesh_, temperatureName, sqr(dimVelocity));
@@ -115,7 +79,7 @@ bool GrainFields::execute()
         velocity[cell] = u;
         stress[cell] = hasGrains ? fluctuations : symmTensor(Zero);
         // Not below zero but for round-off.
-        temperature[cell] = hasGrains ? max(tr(fluctuations), scalar(0))/(access_.grains().shape.dimensions*density) : 0;
+        temperature[cell] = hasGrains ? max(tr(fluctuations), scalar(0))/(access().grains().shape.dimensions*density) : 0;
     }
     bulkDensity.correctBoundaryConditions();
     velocity.correctBoundaryConditions();
@@ -127,7 +91,7 @@ bool GrainFields::execute()
 
 bool GrainFields::write()
 {
-    if (!hasWriteControl_ && !time_.writeTime()) return true;
+    if (!isWriteDue()) return true;
     for (const word& field : {bulkDensityName, velocityName, temperatureName, stressName}) writeObject(field);
     return true;
 }

@@ -4,9 +4,9 @@
 // Writing tables of grains.
 #include "grainTable.hpp"
 
-#include "numberText.hpp"
 
 #include "nscd/base/completeFile.hpp"
+#include "nscd/base/numberText.hpp"
 
 namespace nscdGrains
 {
@@ -18,8 +18,8 @@ void writeGrainTable(const std::string& path, const SceneSettings& scene, const 
     nscd::CompleteFile file(path);
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        for (const double x : grains.position[i]) file.stream() << exact(x) << ' ';
-        file.stream() << exact(2.0*grains.radius[i]) << ' ' << scene.materials.table.names()[grains.material[i]] << '\n';
+        for (const double x : grains.position[i]) file.stream() << nscd::exact(x) << ' ';
+        file.stream() << nscd::exact(2.0*grains.radius[i]) << ' ' << scene.materials.table.names()[grains.material[i]] << '\n';
     }
     file.complete();
 }

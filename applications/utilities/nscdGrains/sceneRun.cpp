@@ -13,6 +13,8 @@
 #include "input/scene/drivenReader.hpp"
 #include "nscd/base/folderLock.hpp"
 #include "nscd/base/stopwatch.hpp"
+#include "nscd/base/vtkPolyData.hpp"
+#include "nscd/tools/contactFiles.hpp"
 #include "nscd/tools/sceneCheckpoint.hpp"
 
 #include <algorithm>
@@ -149,7 +151,7 @@ private:
     void writeContacts()
     {
         const std::string name = results_.contacts(step_);
-        writeContactsVtp(results_.full(name), time_, dynamics_.grains(), dynamics_.contacts(), scene_.run.deltaT);
+        nscd::writeForceChains(results_.full(name), time_, nscd::shownContacts(dynamics_.grains(), dynamics_.contacts(), scene_.run.deltaT));
         contactSeries_.add(time_, name);
     }
 
@@ -176,8 +178,8 @@ private:
     RunLog log_;
     std::unique_ptr<nscd::FolderLock> lock_;
     double output_ = 0.0;
-    TimeSeries grainSeries_;
-    TimeSeries contactSeries_;
+    nscd::VtkSeries grainSeries_;
+    nscd::VtkSeries contactSeries_;
     nscd::GrainDynamics dynamics_;
     std::unique_ptr<StepTable> table_;
     std::unique_ptr<WallTable> wallTable_;   // where there are walls

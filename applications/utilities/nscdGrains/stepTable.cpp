@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Writing report.csv: the table of columns, and rows in its order.
-#include "numberText.hpp"
 #include "stepTable.hpp"
+
+#include "nscd/base/numberText.hpp"
 
 namespace nscdGrains
 {
@@ -72,7 +73,7 @@ StepTable::StepTable(const std::string& path, bool goesOn, double keepUpTo)
 
 void StepTable::write(const StepRow& row)
 {
-    file_.write(lineOf([&](const Column& column) { return exact(column.value(row)); }));
+    file_.write(lineOf([&](const Column& column) { return nscd::exact(column.value(row)); }));
 }
 
 } // namespace nscdGrains

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Writing walls.csv.
-#include "numberText.hpp"
 #include "wallTable.hpp"
+
+#include "nscd/base/numberText.hpp"
 
 namespace nscdGrains
 {
@@ -22,7 +23,7 @@ std::string headLines(const nscd::Walls& walls)
     return units + '\n' + names + '\n';
 }
 
-std::string textOf(const nscd::Vec3& v) { return "," + exact(v[0]) + "," + exact(v[1]) + "," + exact(v[2]); }
+std::string textOf(const nscd::Vec3& v) { return "," + nscd::exact(v[0]) + "," + nscd::exact(v[1]) + "," + nscd::exact(v[2]); }
 
 } // namespace
 
@@ -33,7 +34,7 @@ WallTable::WallTable(const std::string& path, const nscd::Walls& walls, bool goe
 
 void WallTable::write(double time, const nscd::GrainDynamics& dynamics)
 {
-    std::string row = exact(time);
+    std::string row = nscd::exact(time);
     for (std::size_t k = 0; k < dynamics.wallForce().size(); ++k) row += textOf(dynamics.wallForce()[k]) + textOf(dynamics.wallTorque()[k]);
     file_.write(row);
 }

@@ -47,6 +47,7 @@ FluidSolver::FluidSolver(fvMesh& mesh, GrainSources& sources, const dictionary& 
     sources_(sources),
     pimple_(mesh),
     fields_(mesh, sources.fluidFraction),
+    zones_(mesh),
     turbulence_(sources.fluidFraction, fields_.U, fields_.phi),
     g_(readGravity(mesh)),
     hydrostatic_("hydrostatic", rho()*(g_ & mesh.C())),
@@ -72,10 +73,11 @@ void FluidSolver::solve()
 void FluidSolver::solveOuterLoop()
 {
     updateVolumeSource();
+    zones_.turnWalls(fields_.U);
     if (sources_.hasGrains || pressure_.meanFlow().isHeld()) solveWithGrains();
     else solvePlain();
 
-    if (pimple_.turbCorr()) turbulence_.correct();
+    if (pimple_.turbCorr()) correctTurbulence();
     updateAbsolutePressure();
 }
 
@@ -85,9 +87,10 @@ void FluidSolver::solveWithGrains()
     const List<Border> borders(bordersOf(fields_));
     const GrainFaceTerms terms(sources_, fields_, rho(), borders);
 
-    const tmp<surfaceScalarField> convecting(latest(fields_.phi, pimple_));
+    const tmp<surfaceScalarField> convecting(zones_.relativeFlux(latest(fields_.phi, pimple_), sources_.fluidFraction));
     const tmp<fvVectorMatrix> minusDivTau(turbulence_.minusDivTau(fields_.U, latest(fields_.U, pimple_)()));
     tmp<fvVectorMatrix> momentum(averagedMomentum(fields_, sources_, minusDivTau(), convecting(), options_));
+    zones_.addCoriolis(sources_.fluidFraction, momentum.ref());
     momentum.ref().relax();
     options_.constrain(momentum.ref());
 
@@ -113,7 +116,9 @@ void FluidSolver::solveWithGrains()
 vector FluidSolver::whatGrainsGot(const fvVectorMatrix& momentum) const
 {
     const scalarField& volume = mesh_.V();
-    const scalarField solid(1 - sources_.fluidFraction.primitiveField());
+    // The share of the stress that acts on grains.
+    scalarField solid(1 - sources_.fluidFraction.primitiveField());
+    if (sources_.isModelB) solid = 0;
     const tmp<volVectorField> kept(momentum & fields_.U);
     vector force = sum(volume*(solid*fields_.divTau.primitiveField() - rho().value()*kept().primitiveField() - meanFlowGradient()));
     forAll(mesh_.boundary(), patchi)
@@ -128,7 +133,9 @@ vector FluidSolver::whatGrainsGot(const fvVectorMatrix& momentum) const
 
 void FluidSolver::solvePlain()
 {
-    tmp<fvVectorMatrix> momentum(plainMomentum(fields_, turbulence_, options_));
+    const tmp<surfaceScalarField> convecting(zones_.relativeFlux(fields_.phi, sources_.fluidFraction));
+    tmp<fvVectorMatrix> momentum(plainMomentum(fields_, turbulence_, convecting(), options_));
+    zones_.addCoriolis(sources_.fluidFraction, momentum.ref());
     momentum.ref().relax();
     options_.constrain(momentum.ref());
 
@@ -143,6 +150,17 @@ void FluidSolver::solvePlain()
         pressure_.correctPlain(fields_, momentum(), rho());
         options_.correct(fields_.U);
     }
+}
+
+
+// Turbulence is convected as momentum is.
+void FluidSolver::correctTurbulence()
+{
+    if (!zones_.any()) return turbulence_.correct();
+    const surfaceScalarField absolute("absoluteFlux", fields_.phi);
+    fields_.phi = zones_.relativeFlux(absolute, sources_.fluidFraction);
+    turbulence_.correct();
+    fields_.phi = absolute;
 }
 
 

@@ -16,6 +16,26 @@ namespace Foam
 namespace nscdCoupling
 {
 
+namespace
+{
+
+// Stress and options, per volume of the mixture.
+tmp<fvVectorMatrix> stressAndOptions(volVectorField& U, const GrainSources& sources, const fvVectorMatrix& minusDivTau, fv::options& options)
+{
+    if (!sources.isModelB)
+    {
+        tmp<fvVectorMatrix> both(minusDivTau - options(U));
+        both.ref() *= sources.fluidFraction();
+        return both;
+    }
+    tmp<fvVectorMatrix> given(options(U));
+    given.ref() *= sources.fluidFraction();
+    return minusDivTau - given;
+}
+
+} // End anonymous namespace
+
+
 tmp<fvVectorMatrix> averagedMomentum
 (
     FluidFields& fields,
@@ -31,19 +51,20 @@ tmp<fvVectorMatrix> averagedMomentum
     tmp<volScalarField> storage(fvc::div(convecting));
     if (!sources.isStatic) storage.ref() += fvc::ddt(fluidFraction);
 
-    tmp<fvVectorMatrix> perFluidVolume(minusDivTau - options(U));
-    perFluidVolume.ref() *= fluidFraction();
-
-    return fvm::ddt(fluidFraction, U) + fvm::div(convecting, U, "div(phi,U)") - fvm::Sp(storage, U) + perFluidVolume;
+    return fvm::ddt(fluidFraction, U) + fvm::div(convecting, U, "div(phi,U)") - fvm::Sp(storage, U)
+      + stressAndOptions(U, sources, minusDivTau, options);
 }
 
 
-tmp<fvVectorMatrix> plainMomentum(FluidFields& fields, const FluidTurbulence& turbulence, fv::options& options)
+tmp<fvVectorMatrix> plainMomentum
+(
+    FluidFields& fields, const FluidTurbulence& turbulence, const surfaceScalarField& convecting, fv::options& options
+)
 {
     volVectorField& U = fields.U;
     tmp<fvVectorMatrix> momentum
     (
-        fvm::ddt(U) + fvm::div(fields.phi, U) + turbulence.minusDivTau(U, U) == options(U)
+        fvm::ddt(U) + fvm::div(convecting, U, "div(phi,U)") + turbulence.minusDivTau(U, U) == options(U)
     );
     if (fields.bodyAcceleration.valid()) momentum.ref() -= fields.bodyAcceleration();
     if (fields.volumeSource.valid()) momentum.ref() -= fvm::Sp(fields.volumeSource(), U);

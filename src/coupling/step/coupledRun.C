@@ -42,7 +42,7 @@ bool CoupledRun::nextStep()
     driveTo(time_.value(), time_.deltaTValue());
     if (!hasFluid()) return true;
     immersion_->sources.hasGrains = feedsBack();
-    immersion_->sources.hasResponse = feedsBack() && !immersion_->sources.isStatic;
+    immersion_->sources.hasResponse = feedsBack() && (!immersion_->sources.isStatic || immersion_->sources.isModelB);
     immersion_->sources.beginStep();
     return true;
 }
@@ -165,6 +165,7 @@ void CoupledRun::advanceGrains()
         step_.grainReport = worstOf(step_.grainReport, advanceOnce(drag, deltaT), cycle + 1);
     }
     access_.endMoves();
+    if (access_.areContactsWanted()) access_.recordContacts(::nscd::shownContacts(dynamics_->grains(), dynamics_->contacts(), deltaT));
     reach_.displacement = step_.grainReport.maxDisplacement*subCycles;
     lastContactForce_ = dynamics_->contactForce();
     if (hasFluid()) recordFluidForce();

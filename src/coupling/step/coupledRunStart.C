@@ -12,6 +12,7 @@
 #include "coupling/case/start/fluidSourcesCheck.H"
 #include "coupling/case/start/initialChecks.H"
 #include "coupling/case/start/numericsCheck.H"
+#include "coupling/case/start/rotatingZonesCheck.H"
 #include "coupling/case/start/unsupportedFiles.H"
 #include "coupling/case/start/parallelRefusal.H"
 #include "coupling/step/ownWake.H"
@@ -19,6 +20,8 @@
 
 #include "input/scene/drivenReader.hpp"
 #include "input/start/startChecks.hpp"
+
+#include "parallel/rankTree.hpp"
 
 #include "PstreamReduceOps.H"
 
@@ -143,6 +146,7 @@ RunNumbers CoupledRun::startGrains()
         std::move(state.grains), properties_.materials.table, scene_.walls, scene_.box, properties_.contact, ranks_.exchange()
     );
     access_.show(dynamics_->grains());
+    if (ranks_.isParallel()) access_.showRanks(ranks_.tree().all());
     if (!isRestart) return {};
 
     memory_.recall(state.extras, Info);
@@ -179,12 +183,14 @@ void CoupledRun::startFluid()
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
     sources.isStatic = hasGrains() && !properties_.hasEntries() && properties_.driven.empty() && areAllFixed(grains, *ranks_.exchange());
-    sources.hasResponse = feedsBack() && !sources.isStatic;
+    sources.isModelB = properties_.forces.isOn("modelB");
+    sources.hasResponse = feedsBack() && (!sources.isStatic || sources.isModelB);
     if (hasGrains()) updateWeights();
     // Text files round positions: what was before an exit may be behind it.
     if (hasGrains() && !homes_) removeThoseOutside();
     checkFieldDimensions(mesh_);
     checkTransportProperties(time_);
+    checkRotatingZones(mesh_, scene_.roles, Info);
     immersion_->fluid = std::make_unique<FluidSolver>(mesh_, sources, properties_.meanFlowDict());
     checkFluidSources(fv::options::New(mesh_), sources.fluidFraction.name());
     const bool mayFeedBack = properties_.hasFeedback && mayHaveGrains();

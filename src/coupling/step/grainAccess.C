@@ -8,12 +8,38 @@
 #include "coupling/mapping/grainMapping.H"
 #include "coupling/step/grainsAtHome.H"
 
+#include "parallel/idDirectory.hpp"
+
+#include <unordered_map>
+
 namespace Foam
 {
 namespace nscdCoupling
 {
 
 defineTypeNameAndDebug(GrainAccess, 0);
+
+namespace
+{
+
+/// Tensors that other ranks have for grains of this one. Collective.
+std::vector<TensorForGrain> swapped(const std::vector<TensorForGrain>& away, const ::nscd::Grains& grains, const ::nscd::Communicator& all)
+{
+    std::vector<std::int64_t> ids;
+    for (const TensorForGrain& tensor : away) ids.push_back(tensor.id);
+    const std::vector<int> owners = ::nscd::IdDirectory(all, {grains.id.begin(), grains.id.begin() + std::ptrdiff_t(grains.nOwned)}).owners(ids);
+    std::vector<TensorForGrain> owned;
+    std::vector<int> destination;
+    for (std::size_t k = 0; k < away.size(); ++k)
+    {
+        if (owners[k] < 0) continue;
+        owned.push_back(away[k]);
+        destination.push_back(owners[k]);
+    }
+    return ::nscd::valuesOf<TensorForGrain>(all.exchange(::nscd::messagesByRank(owned, destination)));
+}
+
+} // namespace
 
 
 GrainAccess::GrainAccess
@@ -58,8 +84,28 @@ std::vector<scalarField> GrainAccess::perVolume(std::vector<std::vector<scalar>>
 }
 
 
+std::vector<std::vector<scalar>> GrainAccess::sumsOfOwned(const std::vector<TensorForGrain>& tensors) const
+{
+    std::unordered_map<std::int64_t, std::size_t> indexOf;
+    for (std::size_t i = 0; i < grains_->nOwned; ++i) indexOf[grains_->id[i]] = i;
+    std::vector<std::vector<scalar>> sums(9, std::vector<scalar>(grains_->nOwned, 0));
+    std::vector<TensorForGrain> away;
+    const auto take = [&](const TensorForGrain& tensor)
+    {
+        const auto found = indexOf.find(tensor.id);
+        if (found == indexOf.end()) return away.push_back(tensor);
+        for (std::size_t k = 0; k < sums.size(); ++k) sums[k][found->second] += tensor.value[k];
+    };
+    for (const TensorForGrain& tensor : tensors) take(tensor);
+    if (!all_ || returnReduce(label(away.size()), sumOp<label>()) == 0) return sums;
+    for (const TensorForGrain& tensor : swapped(away, *grains_, *all_)) take(tensor);
+    return sums;
+}
+
+
 void GrainAccess::beginStep()
 {
+    contacts_.clear();
     moves_.clear();
     exits_.clear();
     if (!followsMoves_) return;
@@ -67,6 +113,14 @@ void GrainAccess::beginStep()
     {
         moves_.push_back({grains_->position[i], grains_->position[i], grains_->mass[i]});
     }
+}
+
+
+bool GrainAccess::areContactsWanted() const
+{
+    bool any = false;
+    for (const auto& wanted : contactsWanted_) any = wanted.second() || any;
+    return any;
 }
 
 

@@ -89,6 +89,7 @@ void handOver
     {
         for (volScalarField* field : {&sources.pressure, &sources.slip, &sources.mobility}) field->primitiveFieldRef() = 0;
     }
+    if (sources.isModelB) sources.pressure.primitiveFieldRef() += 1 - sources.fluidFraction.primitiveField();
     sources.correctBoundaryConditions();
 }
 

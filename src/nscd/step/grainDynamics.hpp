@@ -40,6 +40,8 @@ struct LoadedContact
     Vec3 impulse;  ///< on a [N s], over the whole of the last step: rebound and attraction included
     Vec3 attraction = Vec3::Zero();  ///< what laws that are known beforehand have in it [N s]
     Vec3 moment = Vec3::Zero();      ///< of laws beside Coulomb's on a [N m s]; that of `impulse` comes on top
+    double radiusB = 0.0;            ///< of b [m]; 0 for a wall
+    double friction = 0.0;           ///< coefficient of the pair
 };
 
 /// Rigid grains with unilateral frictional contact, advanced one step at a time.

@@ -159,7 +159,8 @@ std::vector<LoadedContact> GrainDynamics::Implementation::contactsOf(const Conta
         loaded.push_back
         ({
             entry.pair.a, entry.pair.b, list.id[block.a[lane]], idB, normal(list, entry.slot), list.gap[entry.slot],
-            entry.pair.impulse + known, known, list.laws.moment(list, entry.slot)
+            entry.pair.impulse + known, known, list.laws.moment(list, entry.slot),
+            entry.pair.b < 0 ? 0.0 : list.radius[block.b[lane]], block.friction[lane]
         });
     }
     return loaded;

@@ -95,7 +95,7 @@ TEST(Program, stopsAtSourcesOfOpenFOAMThatItWouldIgnore)
 TEST(Program, stopsAtFilesOfOpenFOAMThatItWouldIgnore)
 {
     const std::string zone = "\nrotor { cellZone rotor; }";
-    EXPECT_TRUE(isRefusedWith("constant/MRFProperties", zone, {"constant/MRFProperties", "rotor", "rotating frame"}));
+    EXPECT_TRUE(isRefusedWith("constant/MRFProperties", zone, {"constant/MRFProperties", "rotor.cellZone", "no cell zone"}));
     EXPECT_TRUE(isRefusedWith("constant/dynamicMeshDict", "dynamicFvMesh dynamicMotionSolverFvMesh;",
         {"constant/dynamicMeshDict", "dynamicMotionSolverFvMesh", "staticFvMesh"}));
     EXPECT_TRUE(isRefusedWith("constant/dynamicMeshDict", "mover { type motionSolver; }", {"constant/dynamicMeshDict", "moves the mesh"}));

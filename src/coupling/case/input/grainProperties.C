@@ -84,6 +84,21 @@ const std::vector<std::pair<const char*, bool>> forceSwitches =
 };
 
 
+/// Model B has what the pressure gradient and the stress do to a grain in its drag, which no other force of the fluid has a like of.
+void applyModelB(const CheckedEntries& given, ForceSettings& settings)
+{
+    for (const char* force : {"pressureGradient", "viscous"})
+    {
+        if (given.found(force) && settings.isOn(force)) given.reject(force, "belongs to model A; model B has it in the drag", "off, or no such entry");
+        settings.switches[force].isOn = false;
+    }
+    for (const char* force : {"addedMass", "saffmanLift", "magnusLift"})
+    {
+        if (settings.isOn(force)) given.reject(force, "is not part of model B, which is defined for drag", "off, or model A");
+    }
+}
+
+
 ForceSettings readForces(const CheckedEntries& top, const input::Surroundings& around)
 {
     const input::Dictionary dict = top.subOrEmpty("forces");
@@ -92,6 +107,8 @@ ForceSettings readForces(const CheckedEntries& top, const input::Surroundings& a
     settings.drag = readDrag(given, around);
     settings.switches["drag"] = {settings.drag.isOn(), given.place("drag")};
     for (const auto& [name, byDefault] : forceSwitches) settings.switches[name] = {given.flag(name, byDefault), given.place(name)};
+    settings.switches["modelB"] = {given.choice("model", {"A", "B"}, "A") == "B", given.place("model")};
+    if (settings.isOn("modelB")) applyModelB(given, settings);
     given.finish();
     return settings;
 }
@@ -129,6 +146,10 @@ void readCoupling(const CheckedEntries& top, const input::Surroundings& around, 
     // Nothing is read of the solid fraction then.
     if (!properties.hasFeedback && !properties.voidFraction.filterWidth) properties.voidFraction.filterWidth = 0;
     properties.forces = readForces(top, around);
+    if (properties.forces.isOn("modelB") && !properties.hasFeedback)
+    {
+        fail({properties.forces.switches["modelB"].place, "is a way to share the pressure gradient, and with `feedback off` the fluid feels no grains", "B", "A"});
+    }
     properties.time = readTimeSettings(top);
 }
 

@@ -65,8 +65,8 @@ string describeFluid(const GrainProperties& properties, const nscd::GrainShape& 
     if (!properties.solvesFluid) return "none";
     return formatted
     (
-        "solved, feedback %s; drag %s%s%s; void fraction %s",
-        properties.hasFeedback ? "on" : "off", properties.forces.drag.law.c_str(), properties.forces.drag.isPolydisperse ? ", polydisperse" : "",
+        "solved, feedback %s%s; drag %s%s%s; void fraction %s",
+        properties.hasFeedback ? "on" : "off", properties.forces.isOn("modelB") ? "; model B" : "", properties.forces.drag.law.c_str(), properties.forces.drag.isPolydisperse ? ", polydisperse" : "",
         correctsOwnWake(properties, shape) ? ", corrected for the own wake of lone grains" : "", properties.voidFraction.method.c_str()
     );
 }
@@ -75,7 +75,7 @@ string describeFluid(const GrainProperties& properties, const nscd::GrainShape& 
 string forcesOfFluidAlone(const GrainProperties& properties)
 {
     string names;
-    if (!properties.solvesFluid || !properties.hasFeedback) return names;
+    if (!properties.solvesFluid || !properties.hasFeedback || properties.forces.isOn("modelB")) return names;
     for (const char* force : {"pressureGradient", "viscous"})
     {
         if (!properties.forces.isOn(force)) names += (names.empty() ? "" : ", ") + string(force);

@@ -37,6 +37,15 @@ void refuseMovingMesh(const IOdictionary& dict)
     fail({placeOf(dict, keyword), "moves the mesh, which nscdDEMFoam does not", type, still + ", or no such file"});
 }
 
+void refuseRotatingZones(const Time& time, bool solvesFluid)
+{
+    const word name = "MRFProperties";
+    refuseAny(readIfPresent(time, time.system(), name), "asks for a rotating frame in a file that nobody reads", "it in constant/MRFProperties");
+    if (solvesFluid) return;
+    const string problem = "asks for a rotating frame of the fluid's equations, where `fluid none;` solves none";
+    refuseAny(readIfPresent(time, time.constant(), name), problem, "no such file, or a fluid");
+}
+
 } // namespace
 
 
@@ -44,14 +53,11 @@ void refuseUnsupportedFiles(const Time& time, bool solvesFluid)
 {
     for (const word& folder : {time.constant(), time.system()})
     {
-        if (!solvesFluid)
-        {
-            const string problem = "asks for a source in the fluid's equations, where `fluid none;` solves none";
-            refuseAny(readIfPresent(time, folder, "fvOptions"), problem, "no such file, or a fluid");
-        }
-        const string problem = "asks for a rotating frame of reference, which nscdDEMFoam does not have";
-        refuseAny(readIfPresent(time, folder, "MRFProperties"), problem, "no such file");
+        if (solvesFluid) continue;
+        const string problem = "asks for a source in the fluid's equations, where `fluid none;` solves none";
+        refuseAny(readIfPresent(time, folder, "fvOptions"), problem, "no such file, or a fluid");
     }
+    refuseRotatingZones(time, solvesFluid);
     refuseMovingMesh(readIfPresent(time, time.constant(), "dynamicMeshDict"));
 }
 

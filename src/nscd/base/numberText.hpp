@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace nscdGrains
+namespace nscd
 {
 
 /// As few digits as give back the number to the bit.
@@ -20,4 +20,4 @@ inline std::string exact(double number)
     return text;
 }
 
-} // namespace nscdGrains
+} // namespace nscd
