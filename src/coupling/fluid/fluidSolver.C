@@ -121,6 +121,10 @@ vector FluidSolver::whatGrainsGot(const fvVectorMatrix& momentum) const
     if (sources_.isModelB) solid = 0;
     const tmp<volVectorField> kept(momentum & fields_.U);
     vector force = sum(volume*(solid*fields_.divTau.primitiveField() - rho().value()*kept().primitiveField() - meanFlowGradient()));
+    if (fields_.bodyAcceleration.valid())
+    {
+        force += rho().value()*sum((volume*sources_.fluidFraction.primitiveField()*fields_.bodyAcceleration->primitiveField())());
+    }
     forAll(mesh_.boundary(), patchi)
     {
         if (mesh_.boundary()[patchi].coupled()) continue;

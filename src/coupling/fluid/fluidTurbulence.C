@@ -36,6 +36,9 @@ FluidTurbulence::FluidTurbulence
 FluidTurbulence::~FluidTurbulence() = default;
 
 
+tmp<volScalarField> FluidTurbulence::nut() const { return model_->nut(); }
+
+
 // The schemes are named as in pimpleFoam, so that its fvSchemes serve here too.
 tmp<fvVectorMatrix> FluidTurbulence::minusDivTau(volVectorField& U, const volVectorField& known) const
 {

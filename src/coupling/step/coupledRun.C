@@ -57,7 +57,7 @@ void CoupledRun::sampleFluid()
     const auto timer = timing_.time(StepPart::sampleFluid);
     if (!hasFluid() || !hasGrains()) return;
     step_.at.ownWake.clear();
-    sampleAtGrains(forces_.readsAtStart() | (ownWake_ ? reads::own : reads::nothing));
+    sampleAtGrains(forces_.readsAtStart() | (ownWake_ ? reads::own : reads::nothing) | (heat_ ? GrainHeat::reads : reads::nothing));
     if (!ownWake_) return;
     followOwnWake(forceInputs(), fluidForce_, ownStressShare_, time_.deltaTValue(), step_.at, *ownWake_);
 }
@@ -131,8 +131,16 @@ void CoupledRun::solveFluid()
 {
     const auto timer = timing_.time(StepPart::solveFluid);
     if (!hasFluid()) return;
+    if (heat_) heat_->liftFluid();
     immersion_->fluid->solve();
     reach_.courant = immersion_->fluid->courantNumber().max;
+    if (heat_) solveHeat();
+}
+
+void CoupledRun::solveHeat()
+{
+    if (!hasGrains()) return heat_->solveFluidAlone();
+    heat_->solve(dynamics_->grains(), step_.at, *immersion_->mapping, immersion_->atHome, time_.deltaTValue());
 }
 
 void CoupledRun::fluidForces()
@@ -166,6 +174,7 @@ void CoupledRun::advanceGrains()
     }
     access_.endMoves();
     if (access_.areContactsWanted()) access_.recordContacts(::nscd::shownContacts(dynamics_->grains(), dynamics_->contacts(), deltaT));
+    if (heat_) heat_->conduct(*dynamics_, deltaT, time_.deltaTValue());
     reach_.displacement = step_.grainReport.maxDisplacement*subCycles;
     lastContactForce_ = dynamics_->contactForce();
     if (hasFluid()) recordFluidForce();
@@ -302,6 +311,7 @@ void CoupledRun::removeExited(const std::vector<label>& cells)
     ::nscd::Grains grains = dynamics_->grains();
     access_.recordExits(gone, exited.patches);
     leaveDebts(gone);
+    if (heat_) heat_->dismiss(grains, gone);
     eraseGrains(grains, gone);
     dynamics_->setGrains(std::move(grains));
     memory_.erase(gone);

@@ -76,7 +76,7 @@ void CoupledRun::describeVolumes(StepRow& row) const
     if (row.grainVolume > 0) row.volumeError = mag(row.solidVolume - (row.grainVolume - row.volumeOutside))/row.grainVolume;
 }
 
-StepRow CoupledRun::describeStep() const
+StepRow CoupledRun::describeStep()
 {
     const GrainTotals totals = sumGrains(dynamics_->grains(), *ranks_.exchange());
     StepRow row;
@@ -94,6 +94,7 @@ StepRow CoupledRun::describeStep() const
     row.exited = exited_;
     if (entry_) row.entries = ::nscd::totalOf(entry_->states());
     row.courantMax = reach_.courant;
+    if (heat_) row.heat = heat_->report(dynamics_->grains());
     return row;
 }
 

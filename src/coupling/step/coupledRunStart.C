@@ -41,6 +41,11 @@ const Remembered<Vec3> contactForce{"fContact", "N", Vec3::Zero(), isWritten, On
 const Remembered<Vec3> fluidForce{"fFluid", "N", Vec3::Zero(), isWritten, OnRestart::optional};
 const Remembered<Vec3> ownWakeOfGrain{"ownWake", "m/s", Vec3::Zero(), isWritten, OnRestart::optional};
 
+const Remembered<scalar> temperature
+{
+    "T", "K", GrainHeat::unknown, isWritten, OnRestart::optional, "the temperature of their material in `heat`"
+};
+
 /// The time that a directory's name gives has lost digits; a directory that was renamed, to start anew at 0 say, keeps its name.
 void continueTime(Time& time, scalar written)
 {
@@ -104,6 +109,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     lastContactForce_(memory_.add(contactForce)),
     fluidForce_(memory_.add(fluidForce)),
     ownWake_(correctsOwnWake(properties_, scene_.space.shape) ? &memory_.add(ownWakeOfGrain) : nullptr),
+    temperature_(properties_.heat ? &memory_.add(temperature) : nullptr),
     ownStressShare_(ownStressShare(properties_.forces)),
     log_(time, Info, properties_.solvesFluid)
 {
@@ -112,7 +118,8 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     startHomes();
     if (properties_.solvesFluid) startFluid();
     if (properties_.hasEntries()) startEntries(numbers);
-    report_ = std::make_unique<GrainReport>(time);
+    if (properties_.heat) startHeat();
+    report_ = std::make_unique<GrainReport>(time, properties_.heat != nullptr);
     if (properties_.hasWalls || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
     const stringList inflow = hasFluid() ? describeInflow(immersion_->fluid->U(), immersion_->sources.fluidFraction) : stringList();
     logScene(Info, properties_, scene_, sumGrains(dynamics_->grains(), *ranks_.exchange()), mesh, hasGrainState(mesh), inflow);
@@ -196,6 +203,16 @@ void CoupledRun::startFluid()
     const bool mayFeedBack = properties_.hasFeedback && mayHaveGrains();
     checkNumerics(immersion_->fluid->phi(), mayFeedBack || properties_.holdsMeanFlow);
     if (mayFeedBack && (hasExits() || !hasGrains())) checkNumerics(immersion_->fluid->phi(), properties_.holdsMeanFlow);
+}
+
+void CoupledRun::startHeat()
+{
+    checkTemperature(mesh_);
+    checkHeatNumerics(immersion_->fluid->phi());
+    heat_ = std::make_unique<GrainHeat>
+    (
+        *properties_.heat, *immersion_->fluid, immersion_->sources.fluidFraction, dynamics_->grains(), *temperature_, *ranks_.exchange()
+    );
 }
 
 } // namespace nscdCoupling

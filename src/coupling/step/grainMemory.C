@@ -29,8 +29,9 @@ vector shown(const Vec3& value) { return toFoam(value); }
 template<class Type>
 void sayStart(const Remembered<Type>& quantity, Ostream& os)
 {
-    os << "  lagrangian/grains/" << quantity.name << " was not written: all grains start with " << shown(quantity.start) << ' '
-        << quantity.unit.c_str() << nl;
+    os << "  lagrangian/grains/" << quantity.name << " was not written: all grains start with ";
+    if (!quantity.startText.empty()) os << quantity.startText.c_str() << nl;
+    else os << shown(quantity.start) << ' ' << quantity.unit.c_str() << nl;
 }
 
 template<class Type>

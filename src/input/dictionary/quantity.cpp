@@ -12,13 +12,13 @@ namespace input
 
 std::string Unit::describe() const
 {
-    return textOf("[", kg, " ", m, " ", s, " 0 0 0 0]");
+    return textOf("[", kg, " ", m, " ", s, " ", K, " 0 0 0]");
 }
 
 bool Unit::isSaidBy(const std::vector<Token>& exponents) const
 {
     if (exponents.size() != 5 && exponents.size() != 7) return false;
-    const std::array<int, 7> own = {kg, m, s, 0, 0, 0, 0};
+    const std::array<int, 7> own = {kg, m, s, K, 0, 0, 0};
     for (std::size_t k = 0; k < exponents.size(); ++k)
     {
         if (!exponents[k].isNumber() || exponents[k].number != own[k]) return false;

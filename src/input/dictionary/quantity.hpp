@@ -11,12 +11,13 @@
 namespace input
 {
 
-/// Exponents of kg, m and s, in which a number counts whether its dictionary says so or not.
+/// Exponents of kg, m, s and K, in which a number counts whether its dictionary says so or not.
 struct Unit
 {
     int kg = 0;
     int m = 0;
     int s = 0;
+    int K = 0;
 
     /// As OpenFOAM writes it, [1 -3 0 0 0 0 0].
     std::string describe() const;
@@ -37,6 +38,11 @@ inline constexpr Unit viscosity{0, 2, -1};
 inline constexpr Unit density{1, -3, 0};
 inline constexpr Unit force{1, 1, -2};
 inline constexpr Unit mass{1, 0, 0};
+inline constexpr Unit pressure{1, -1, -2};
+inline constexpr Unit temperature{0, 0, 0, 1};
+inline constexpr Unit perTemperature{0, 0, 0, -1};
+inline constexpr Unit heatCapacity{0, 2, -2, -1};     ///< J/(kg K)
+inline constexpr Unit conductivity{1, 1, -3, -1};     ///< W/(m K)
 
 } // namespace unit
 

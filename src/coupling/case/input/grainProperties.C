@@ -6,6 +6,7 @@
 
 #include "coupling/base/vectorConversion.H"
 #include "coupling/case/input/foamDictionary.H"
+#include "coupling/case/input/heatReader.H"
 #include "coupling/mapping/voidFractionMethods.H"
 
 #include "input/dictionary/withoutTraps.hpp"
@@ -151,6 +152,8 @@ void readCoupling(const CheckedEntries& top, const input::Surroundings& around, 
         fail({properties.forces.switches["modelB"].place, "is a way to share the pressure gradient, and with `feedback off` the fluid feels no grains", "B", "A"});
     }
     properties.time = readTimeSettings(top);
+    if (!top.foundAsSpelt("heat")) return;
+    properties.heat = std::make_shared<HeatSettings>(readHeat(top, properties, properties.solvesFluid, properties.hasFeedback));
 }
 
 /// Steps of another length than the last one wake all: nothing sleeps where they are the rule.

@@ -65,33 +65,52 @@ const Column columns[] =
     {"waitingMass", "kg", [](const StepRow& r) { return double(r.entries.waitingMass()); }}
 };
 
+const Column heatColumns[] =
+{
+    {"heatFluid", "J", [](const StepRow& r) { return double(r.heat.fluid); }},
+    {"heatGrains", "J", [](const StepRow& r) { return double(r.heat.grains); }},
+    {"heatIn", "J", [](const StepRow& r) { return double(r.heat.inflow); }},
+    {"heatToGrains", "J", [](const StepRow& r) { return double(r.heat.toGrains); }},
+    {"heatHeld", "J", [](const StepRow& r) { return double(r.heat.held); }},
+    {"heatEntered", "J", [](const StepRow& r) { return double(r.heat.entered); }},
+    {"heatShifted", "J", [](const StepRow& r) { return double(r.heat.shifted); }},
+    {"heatError", "J", [](const StepRow& r) { return double(r.heat.error); }},
+    {"fluidTMin", "K", [](const StepRow& r) { return double(r.heat.fluidMin); }},
+    {"fluidTMax", "K", [](const StepRow& r) { return double(r.heat.fluidMax); }},
+    {"grainTMin", "K", [](const StepRow& r) { return double(r.heat.grainMin); }},
+    {"grainTMax", "K", [](const StepRow& r) { return double(r.heat.grainMax); }}
+};
+
 template<class Part>
-void writeLine(std::ostream& os, const Part& part)
+void writeLine(std::ostream& os, bool hasHeat, const Part& part)
 {
     const char* separator = "";
-    for (const Column& column : columns)
+    const auto write = [&](const Column& column)
     {
         os << separator;
         part(column);
         separator = ",";
-    }
+    };
+    for (const Column& column : columns) write(column);
+    if (hasHeat) for (const Column& column : heatColumns) write(column);
     os << '\n' << std::flush;
 }
 
 } // namespace
 
 
-GrainReport::GrainReport(const Time& time)
+GrainReport::GrainReport(const Time& time, bool hasHeat)
 :
-    path_(time.globalPath()/"postProcessing"/"grains"/time.timeName(time.startTime().value())/"report.csv")
+    path_(time.globalPath()/"postProcessing"/"grains"/time.timeName(time.startTime().value())/"report.csv"),
+    hasHeat_(hasHeat)
 {
     if (!Pstream::master()) return;
     mkDir(path_.path());
     file_.open(path_);
     file_.precision(std::numeric_limits<double>::max_digits10);
     file_ << "# units: ";
-    writeLine(file_, [&](const Column& column) { file_ << column.unit; });
-    writeLine(file_, [&](const Column& column) { file_ << column.name; });
+    writeLine(file_, hasHeat_, [&](const Column& column) { file_ << column.unit; });
+    writeLine(file_, hasHeat_, [&](const Column& column) { file_ << column.name; });
     check();
 }
 
@@ -99,7 +118,7 @@ GrainReport::GrainReport(const Time& time)
 void GrainReport::write(const StepRow& row)
 {
     if (!Pstream::master()) return;
-    writeLine(file_, [&](const Column& column) { file_ << column.value(row); });
+    writeLine(file_, hasHeat_, [&](const Column& column) { file_ << column.value(row); });
     check();
 }
 

@@ -4,6 +4,8 @@
 // The lines about the case.
 #include "coupling/case/log/sceneLog.H"
 
+#include "coupling/case/input/heatReader.H"
+
 #include "nscd/base/formattedText.hpp"
 #include "nscd/tools/sceneWork.hpp"
 
@@ -111,6 +113,7 @@ void logScene
         nscd::describeWork(properties.materials.table, scene.space.shape, contact).c_str()
     ));
     line("fluid", describeFluid(properties, scene.space.shape));
+    if (properties.heat) line("heat", formatted("law %s, no heat of friction", properties.heat->law.c_str()));
     const string missing = forcesOfFluidAlone(properties);
     if (!missing.empty()) line("", missing + " off: the fluid loses momentum that no grain gets, which momentumError counts");
     for (const string& patch : inflow) line("inflow", patch);

@@ -201,6 +201,23 @@ void checkFieldDimensions(const fvMesh& mesh)
 }
 
 
+void checkTemperature(const fvMesh& mesh)
+{
+    const volScalarField field = checkField<volScalarField>(mesh, "T", dimTemperature, "K");
+    const scalar least = gMin(field.primitiveField());
+    if (!(least > 0)) fail({placeOfLine(field.objectPath(), "internalField"), "is out of range", messageText(least), input::above(0).describe()});
+}
+
+
+void checkHeatNumerics(const surfaceScalarField& phi)
+{
+    const fvMesh& mesh = phi.mesh();
+    fv::convectionScheme<scalar>::New(mesh, phi, mesh.divScheme("div(phi,T)"));
+    fv::laplacianScheme<scalar, scalar>::New(mesh, mesh.laplacianScheme("laplacian(diffusivity,T)"));
+    checkSolver(mesh, "T", *lduMatrix::solver::asymMatrixConstructorTablePtr_);
+}
+
+
 void checkTransportProperties(const Time& time)
 {
     const IOobject file("transportProperties", time.constant(), time, IOobject::MUST_READ, IOobject::NO_WRITE, false);

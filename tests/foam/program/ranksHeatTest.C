@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Heat on 2 to 4 ranks: the same as on one, balanced, and restarts on the same and on other numbers.
+#include "caseTools.H"
+#include "heatCase.H"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Foam;
+using namespace Foam::nscdCoupling::testing;
+
+namespace
+{
+
+const char* const columns[] = {"heatFluid", "heatGrains", "heatIn", "heatToGrains", "heatEntered", "fluidTMin", "fluidTMax", "grainTMin", "grainTMax"};
+
+/// Values of the first steps: later, single grains part ways.
+void expectSame(const ProgramCase& alone, const ProgramCase& together, double share)
+{
+    for (const char* column : columns)
+    {
+        const std::vector<double> here = alone.reported("0", column), there = together.reported("0", column);
+        double size = 0;
+        for (const double value : here) size = std::max(size, std::abs(value));
+        for (std::size_t k = 0; k < 10; ++k) EXPECT_NEAR(here.at(k), there.at(k), share*size) << column << ' ' << k;
+    }
+}
+
+void expectBalance(const ProgramCase& c, const std::string& start)
+{
+    const std::vector<double> error = c.reported(start, "heatError"), fluid = c.reported(start, "heatFluid");
+    EXPECT_FALSE(error.empty());
+    for (std::size_t k = 0; k < error.size(); ++k) EXPECT_LT(std::abs(error[k]), 1e-13*fluid[k]) << k;
+}
+
+} // namespace
+
+TEST(Ranks, shareHeatAsOneRankHasIt)
+{
+    const ProgramCase alone(pouringFiles(), "endTime 0.04; deltaT 2e-3;");
+    EXPECT_TRUE(succeeds(alone.run()));
+    for (const labelVector& parts : {labelVector(2, 1, 1), labelVector(1, 1, 3)})
+    {
+        const label ranks = cmptProduct(parts);
+        SCOPED_TRACE(ranks);
+        const ProgramCase together(pouringFiles(), "endTime 0.04; deltaT 2e-3;");
+        EXPECT_TRUE(succeeds(together.decompose(parts)));
+        EXPECT_TRUE(succeeds(together.runOn(ranks)));
+        expectSame(alone, together, 1e-8);
+        expectBalance(together, "0");
+    }
+}
+
+TEST(Ranks, areRefusedHeatThroughContactsInWords)
+{
+    Files files = pouringFiles();
+    std::string& text = files["constant/grainProperties"];
+    text = with(with(text, "law Gunn;", "law Gunn; contacts on;"), "heatCapacity 840;", "heatCapacity 840; conductivity 1; youngModulus 7e10;");
+    const ProgramCase c(files);
+    EXPECT_TRUE(succeeds(c.decompose(labelVector(2, 1, 1))));
+    const ProgramRun run = c.runOn(2);
+    EXPECT_NE(run.status, 0);
+    EXPECT_TRUE(holds(run.log, {"heat.contacts is for one rank up to now", "grainProperties"}));
+}
+
+TEST(Ranks, goOnWithHeatToTheBit)
+{
+    const std::string control = "writeFormat binary; deltaT 2e-3; writeInterval 10; ";
+    const ProgramCase whole(pouringFiles(), control + "endTime 0.04;"), parts(pouringFiles(), control + "endTime 0.02;");
+    for (const ProgramCase* c : {&whole, &parts})
+    {
+        EXPECT_TRUE(succeeds(c->decompose(labelVector(1, 1, 2))));
+        EXPECT_TRUE(succeeds(c->runOn(2)));
+    }
+    parts.writeControl(control + "endTime 0.04;");
+    EXPECT_TRUE(succeeds(parts.runOn(2)));
+    for (const char* rank : {"processor0", "processor1"})
+    {
+        for (const char* file : {"T", "lagrangian/grains/T", "lagrangian/grains/origId"})
+        {
+            const std::string path = std::string(rank) + "/0.04/" + file;
+            EXPECT_FALSE(whole.contents(path).empty()) << path;
+            EXPECT_TRUE(whole.contents(path) == parts.contents(path)) << path;
+        }
+    }
+}
+
+TEST(Ranks, goOnWithHeatOnAnotherNumber)
+{
+    const std::string control = "writeFormat binary; deltaT 2e-3; writeInterval 5; ";
+    const ProgramCase c(pouringFiles(), control + "endTime 0.01;");
+    c.goOnOnFourOneAndTwo(control + "endTime 0.02;", control + "endTime 0.03;");
+    for (const char* start : {"0", "0.01", "0.02"}) expectBalance(c, start);
+    const std::vector<double> before = c.reported("0", "heatGrains"), after = c.reported("0.01", "heatGrains");
+    const std::vector<double> entered = c.reported("0.01", "heatEntered"), toGrains = c.reported("0.01", "heatToGrains");
+    EXPECT_NEAR(after.at(0), before.back() + entered.at(0) + toGrains.at(0), 1e-12*before.back());
+}
