@@ -14,7 +14,9 @@
 #include "Field.H"
 #include "OSspecific.H"
 #include "Time.H"
+#include "point.H"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Foam
