@@ -9,7 +9,7 @@
 #include "coupling/case/files/entryNumbers.H"
 #include "coupling/case/log/grainTotals.H"
 
-#include "nscd/tools/sceneParts.hpp"
+#include <algorithm>
 
 namespace Foam
 {
@@ -45,11 +45,14 @@ void CoupledRun::checkRegions() const
 {
     for (std::size_t s = 0; s < properties_.entries.size(); ++s)
     {
+        const ::nscd::EntryRegion& region = properties_.entries[s].region;
+        if (!region.begin()) continue;
         const ::nscd::RandomNumbers random = ::nscd::randomNumbers(1);
         double isThere = 0;
         for (int k = 0; k < pointsOfRegion; ++k)
         {
-            if (rankOf(scene_.box.wrap(::nscd::randomPoint(properties_.entries[s].region, random))) >= 0) isThere = 1;
+            const ::nscd::EntryTry at = region.draw(random);
+            if (region.holds(at) && rankOf(scene_.box.wrap(at.position)) >= 0) isThere = 1;
         }
         ranks_.exchange()->max(&isThere, 1);
         if (isThere > 0) continue;
@@ -84,6 +87,21 @@ void CoupledRun::letIn(scalar end)
     if (heat_) heat_->welcome(dynamics_->grains());
     nGrains_ += entered;
     if (hasFluid()) updateWeights();
+    takeFluidVelocity(before);
+}
+
+void CoupledRun::takeFluidVelocity(std::size_t first)
+{
+    const auto takes = [](const ::nscd::EntrySource& source) { return source.takesFluidVelocity; };
+    if (std::none_of(properties_.entries.begin(), properties_.entries.end(), takes)) return;
+    sampleAtGrains(reads::nothing);
+    ::nscd::Grains grains = dynamics_->grains();
+    const std::vector<std::size_t>& sources = entry_->sourcesOfLast();
+    for (std::size_t k = 0; k < sources.size(); ++k)
+    {
+        if (takes(properties_.entries[sources[k]])) grains.velocity[first + k] = step_.at.velocity[first + k];
+    }
+    dynamics_->setGrains(std::move(grains));
 }
 
 } // namespace nscdCoupling

@@ -39,6 +39,17 @@ void readRate(const CheckedEntries& given, nscd::EntrySource& entry)
     if (given.found("number")) entry.number = given.integer("number", 1);
 }
 
+/// A vector, or the word `fluid`.
+void readVelocity(const CheckedEntries& given, const Surroundings& around, nscd::EntrySource& entry)
+{
+    const std::vector<Token> value = given.found("velocity") ? given.tokens("velocity", "(x y z), or fluid") : std::vector<Token>();
+    entry.takesFluidVelocity = value.size() == 1 && value[0].kind == Token::Kind::word && value[0].text == "fluid";
+    if (entry.takesFluidVelocity && !around.hasFluid) given.reject("velocity", "is that of a fluid, and none is solved", "(x y z) [m/s]");
+    if (entry.takesFluidVelocity) return;
+    entry.velocity = given.vec("velocity", unit::velocity, Vec3::Zero());
+    checkInPlane(given, "velocity", entry.velocity, around.shape.emptyAxis);
+}
+
 } // namespace
 
 void readEntry(const Dictionary& dict, const std::string& name, const Surroundings& around, Scene& scene)
@@ -49,12 +60,12 @@ void readEntry(const Dictionary& dict, const std::string& name, const Surroundin
     given.found("type");
     entry.material = readMaterialOfGrains(given, scene.materials);
     entry.density = scene.materials.density[entry.material];
-    entry.region = readRegion(given, "region", around);
+    given.require("region", "a dictionary, region { ... }");
     entry.sizes = readSizes(given, around);
+    entry.region = readEntryRegion(given, "region", around, 0.5*entry.sizes.largest);
     readRate(given, entry);
-    entry.velocity = given.vec("velocity", unit::velocity, Vec3::Zero());
+    readVelocity(given, around, entry);
     entry.omega = given.vec("omega", unit::rate, Vec3::Zero());
-    checkInPlane(given, "velocity", entry.velocity, around.shape.emptyAxis);
     checkNormalToPlane(given, "omega", entry.omega, around.shape.emptyAxis);
     entry.seed = static_cast<std::uint64_t>(given.integer("seed", 0, 1));
     given.finish();

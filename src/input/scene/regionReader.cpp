@@ -72,11 +72,16 @@ const RegionType regionTypes[] =
     {"stl", readSurface}
 };
 
-const RegionType& readType(const CheckedEntries& given)
+Words namesOfTypes()
 {
     Words names;
     for (const RegionType& type : regionTypes) names.push_back(type.name);
-    const std::string name = given.choice("type", names);
+    return names;
+}
+
+const RegionType& readType(const CheckedEntries& given)
+{
+    const std::string name = given.choice("type", namesOfTypes());
     return *std::find_if(std::begin(regionTypes), std::end(regionTypes), [&](const RegionType& type) { return name == type.name; });
 }
 
@@ -95,6 +100,18 @@ nscd::Region readRegion(const CheckedEntries& given, const std::string& keyword,
     {
         given.reject(keyword, "has no points to draw", "a region with room, in scenes of discs one that their plane cuts");
     }
+    return region;
+}
+
+nscd::EntryRegion readEntryRegion(const CheckedEntries& given, const std::string& keyword, const Surroundings& around, double largestRadius)
+{
+    const CheckedEntries inside(given.sub(keyword));
+    Words names = namesOfTypes();
+    for (const auto& more : around.entryRegions) names.push_back(more.first);
+    const auto more = around.entryRegions.find(inside.choice("type", names));
+    if (more == around.entryRegions.end()) return readRegion(given, keyword, around);
+    nscd::EntryRegion region = more->second(inside, around, largestRadius);
+    inside.finish();
     return region;
 }
 

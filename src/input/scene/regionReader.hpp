@@ -13,4 +13,7 @@ namespace input
 /// Errors: InputError for what is missing or wrong, and for a region without a point
 nscd::Region readRegion(const CheckedEntries& given, const std::string& keyword, const Surroundings& around);
 
+/// Likewise, for grains with radii up to the one given [m]; also the regions that the program alone knows.
+nscd::EntryRegion readEntryRegion(const CheckedEntries& given, const std::string& keyword, const Surroundings& around, double largestRadius);
+
 } // namespace input

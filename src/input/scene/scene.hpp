@@ -11,6 +11,8 @@
 #include "nscd/tools/grainEntry.hpp"
 #include "nscd/tools/sceneParts.hpp"
 
+#include <map>
+
 namespace input
 {
 
@@ -38,12 +40,14 @@ struct ClumpSource
 struct GrainSource
 {
     Place place;
-    std::string type;                  ///< lattice, positionsFile, table, filling
+    std::string type;                  ///< lattice, positionsFile, table, filling, time
     nscd::GrainLattice lattice{};
     nscd::FillingSource filling{};
     Place amountPlace;                 ///< of what says how much a filling is
-    std::string file;                  ///< as written
+    std::string file;                  ///< as written; of a written time the folder of its case
     Place filePlace;
+    std::string time;                  ///< written time of another case, a number or latestTime
+    Place timePlace;
     double diameter = 0.0;             ///< [m] of positionsFile
     int material = 0;
     Vec3 velocity = Vec3::Zero();      ///< [m/s]
@@ -82,6 +86,16 @@ struct Scene
 /// A path as written, as one that can be opened.
 using PathOf = std::function<std::string(const std::string&)>;
 
+struct Surroundings;
+
+/// A region that grains enter, for radii [m] up to the one given.
+using ReadEntryRegion = std::function<nscd::EntryRegion(const CheckedEntries&, const Surroundings&, double largestRadius)>;
+
+using ReadSizes = std::function<nscd::SizeDistribution(const CheckedEntries&)>;
+
+/// The grains of a written time, in the order of their identities, as they were.
+using GrainsOfTime = std::function<nscd::Grains(const GrainSource&, const MaterialTable&)>;
+
 /// What a program tells the readers: of the space that grains live in, and of what it can do.
 struct Surroundings
 {
@@ -93,6 +107,12 @@ struct Surroundings
     int nRanks = 1;
     bool sleepsByDefault = true;       ///< grains at rest, where `sleep` is not given
     bool hasClumps = true;
+    bool hasFluid = false;             ///< whether grains may take the velocity of one when they enter
+
+    // What the program alone knows, by the word that stands for it.
+    std::map<std::string, ReadEntryRegion> entryRegions = {};
+    std::map<std::string, ReadSizes> sizeModels = {};       ///< their numbers are in a dictionary <type>Distribution
+    GrainsOfTime grainsOfTime = nullptr;                    ///< null: no times of other cases can be read
 
     bool isEmpty(int axis) const { return axis == shape.emptyAxis; }
 };

@@ -82,17 +82,29 @@ const SizeType sizeTypes[] =
     {"general", readGeneral}
 };
 
+/// The program's own, where its dictionary of numbers stands there or the type is none of ours.
+ReadSizes readType(const CheckedEntries& given, const Surroundings& around)
+{
+    Words names;
+    for (const SizeType& type : sizeTypes) names.push_back(type.name);
+    for (const auto& model : around.sizeModels) names.push_back(model.first);
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    const std::string name = given.choice("type", names);
+    const auto type = std::find_if(std::begin(sizeTypes), std::end(sizeTypes), [&](const SizeType& row) { return name == row.name; });
+    const auto model = around.sizeModels.find(name);
+    const bool isModel = model != around.sizeModels.end() && (type == std::end(sizeTypes) || given.found(name + "Distribution"));
+    return isModel ? model->second : ReadSizes(type->read);
+}
+
 /// Numbers from masses take (largest/smallest)^3 draws at worst.
 constexpr double largestRatioOfMasses = 50.0;
 
 nscd::SizeDistribution readDistribution(const CheckedEntries& given, const Surroundings& around)
 {
-    Words names;
-    for (const SizeType& type : sizeTypes) names.push_back(type.name);
-    const std::string name = given.choice("type", names);
+    const ReadSizes read = readType(given, around);
     const bool isByMass = given.choice("by", {"number", "mass"}, "number") == "mass";
-    const auto type = std::find_if(std::begin(sizeTypes), std::end(sizeTypes), [&](const SizeType& row) { return name == row.name; });
-    const nscd::SizeDistribution sizes = type->read(given);
+    const nscd::SizeDistribution sizes = read(given);
     given.finish();
     if (!isByMass) return sizes;
     if (sizes.largest > largestRatioOfMasses*sizes.smallest) given.reject("by", "is for narrower ranges of sizes", textOf("a largest one within ", largestRatioOfMasses, " times the smallest"));

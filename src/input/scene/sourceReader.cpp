@@ -103,12 +103,35 @@ GrainSource readSource(const Dictionary& dict, const std::string& type, const Ma
     return source;
 }
 
+/// Grains of another case: what they are made of, how they move and what holds them is as it was written.
+GrainSource readWrittenTime(const Dictionary& dict, const std::string& usualMotion)
+{
+    const CheckedEntries given(dict);
+    given.found("type");
+    GrainSource source;
+    source.place = dict.place;
+    source.type = "time";
+    source.isFixed = usualMotion == "fixed";
+    source.file = given.text("case");
+    source.filePlace = given.place("case");
+    given.require("time", "time 0.5; or time latestTime;");
+    const std::vector<Token>& time = given.tokens("time", "a number [s], or latestTime");
+    if (time.size() != 1 || !(time[0].isNumber() || time[0].text == "latestTime")) given.reject("time", "is no time", "a number [s], or latestTime", {"latestTime"});
+    source.time = time[0].text;
+    source.timePlace = given.place("time");
+    given.finish();
+    return source;
+}
+
 /// A source at the start, or one during the run.
 void addSource(const Dictionary& dict, const std::string& name, const Surroundings& around, const std::string& usualMotion, Scene& scene)
 {
     const CheckedEntries given(dict);
-    const std::string type = given.choice("type", {"positionsFile", "table", "lattice", "filling", "entering"});
-    if (type != "entering") scene.sources.push_back(readSource(dict, type, scene.materials, around, usualMotion.c_str()));
+    Words types = {"positionsFile", "table", "lattice", "filling", "entering"};
+    if (around.grainsOfTime) types.push_back("time");
+    const std::string type = given.choice("type", types);
+    if (type == "time") scene.sources.push_back(readWrittenTime(dict, usualMotion));
+    else if (type != "entering") scene.sources.push_back(readSource(dict, type, scene.materials, around, usualMotion.c_str()));
     else if (usualMotion == "fixed") given.reject("type", "lets grains in that motion fixed would hold", "motion fixed; in the sources that are to be held");
     else readEntry(dict, name, around, scene);
 }

@@ -132,6 +132,23 @@ public:
         for (std::size_t i = 0; i < filling.grains.size(); ++i) add(filling.grains.center[i], 2.0*filling.grains.radius[i], source_.material);
     }
 
+    /// As they were written, but for their numbers.
+    void addWritten()
+    {
+        const nscd::Grains written = around_.grainsOfTime(source_, materials_);
+        stream_.reserve(written.size());
+        for (std::size_t i = 0; i < written.size(); ++i)
+        {
+            checkInPlane(written, i);
+            add(written.position[i], 2.0*written.radius[i], written.material[i]);
+            nscd::Grains& grains = stream_.batch;
+            grains.velocity.back() = written.velocity[i];
+            grains.omega.back() = written.omega[i];
+            grains.orientation.back() = written.orientation[i];
+            if (written.isFixed[i]) grains.isFixed.back() = true;
+        }
+    }
+
 private:
     nscd::Filling fill(const nscd::FillingPlace& place) const
     {
@@ -143,6 +160,13 @@ private:
         {
             throw InputError({source_.amountPlace, error.what()});
         }
+    }
+
+    void checkInPlane(const nscd::Grains& written, std::size_t i) const
+    {
+        const int axis = around_.shape.emptyAxis;
+        if (axis < 0 || written.velocity[i][axis] == 0.0) return;
+        throw InputError({source_.filePlace, "holds grains that move out of the plane of this mesh", textOf("grain ", written.id[i])});
     }
 
     void add(Vec3 position, double diameter, int material)
@@ -215,6 +239,7 @@ void placeGrains(const Scene& scene, const Surroundings& around, const Placement
         if (source.type == "lattice") placement.addLattice();
         if (source.type == "positionsFile") placement.addPositions();
         if (source.type == "table") placement.addTable();
+        if (source.type == "time") placement.addWritten();
         if (source.type == "filling") placement.addFilling(fillings++);
     }
     stream.flush();

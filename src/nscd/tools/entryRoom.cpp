@@ -39,11 +39,13 @@ bool RoomOfWalls::isFree(const Vec3& x, double radius)
     return std::none_of(near_.begin(), near_.end(), [&](int region) { return std::abs(distance(region)) < radius; });
 }
 
-RoomOfGrains::RoomOfGrains(const Grains& own, const EntrySpace& space, const Eigen::AlignedBox3d& bounds, double largestRadius)
+RoomOfGrains::RoomOfGrains(const Grains& own, const EntrySpace& space, const EntryRegion& region, double largestRadius)
 :
     space_(space),
+    region_(region),
     largestRadius_(largestRadius)
 {
+    const Eigen::AlignedBox3d& bounds = region.bounds;
     for (std::size_t i = 0; i < own.nOwned; ++i)
     {
         const Vec3 offset = space.box.nearestImage(own.position[i] - bounds.center());
@@ -66,14 +68,14 @@ double RoomOfGrains::clearance(const Vec3& x)
     return least;
 }
 
-std::vector<EntryPlace> RoomOfGrains::look(const std::vector<Vec3>& places)
+std::vector<EntryPlace> RoomOfGrains::look(const std::vector<EntryTry>& tries)
 {
     std::vector<EntryPlace> looked;
     std::vector<double> least;   // of all ranks: clearance and rank, negative for the maximum
-    for (const Vec3& place : places)
+    for (const EntryTry& at : tries)
     {
-        const Vec3 x = space_.box.wrap(place);
-        const int rank = space_.rankOf(x);
+        const Vec3 x = space_.box.wrap(at.position);
+        const int rank = region_.holds(at) ? space_.rankOf(x) : -1;
         least.push_back(-clearance(x));
         least.push_back(rank < 0 ? -noRank : -rank);
         looked.push_back({x, 0.0, -1});

@@ -8,6 +8,7 @@
 #include "nscd/scene/exchange.hpp"
 #include "nscd/search/pairSearch.hpp"
 #include "nscd/search/wallSearch.hpp"
+#include "nscd/tools/entryRegion.hpp"
 
 #include <functional>
 #include <memory>
@@ -54,17 +55,18 @@ private:
 class RoomOfGrains
 {
 public:
-    /// Looks at grains near `bounds` alone, up to `largestRadius` [m] of those that enter; `space` must live as long as this.
-    RoomOfGrains(const Grains& own, const EntrySpace& space, const Eigen::AlignedBox3d& bounds, double largestRadius);
+    /// Looks at grains near the region alone, up to `largestRadius` [m] of those that enter; `space` and `region` must live as long as this.
+    RoomOfGrains(const Grains& own, const EntrySpace& space, const EntryRegion& region, double largestRadius);
 
-    /// Places within the bounds, each moved into the periodic box. The same on all ranks; collective.
+    /// Places drawn in the region, each moved into the periodic box. The same on all ranks; collective.
     /// Cost: one reduction of two numbers for each place
-    std::vector<EntryPlace> look(const std::vector<Vec3>& places);
+    std::vector<EntryPlace> look(const std::vector<EntryTry>& tries);
 
 private:
     double clearance(const Vec3& x);
 
     const EntrySpace& space_;
+    const EntryRegion& region_;
     double largestRadius_;
     std::vector<double> radius_;   ///< of the grains near the bounds
     std::vector<Vec3> position_;

@@ -60,10 +60,10 @@ public:
 private:
     void look(std::int64_t number)
     {
-        std::vector<Vec3> points;
-        for (int k = 0; k < perLook_; ++k) points.push_back(randomPoint(from_.region, numbersFor(from_.seed, source_, placesTried, number + k)));
+        std::vector<EntryTry> tries;
+        for (int k = 0; k < perLook_; ++k) tries.push_back(from_.region.draw(numbersFor(from_.seed, source_, placesTried, number + k)));
         first_ = number;
-        places_ = room_.look(points);
+        places_ = room_.look(tries);
     }
 
     const EntrySource& from_;
@@ -159,7 +159,11 @@ bool GrainEntry::enterNext(std::size_t source, PlacesAhead& places, Entering& en
         if (place.rank < 0 || place.clearance < radius) continue;
         if (!isFreeOf(entering.all, space_.box, x, radius) || !walls_->isFree(x, radius)) continue;
         add(source, x, radius, entering.all);
-        if (place.rank == space_.exchange->rank()) add(source, x, radius, entering.own);
+        if (place.rank == space_.exchange->rank())
+        {
+            add(source, x, radius, entering.own);
+            sourcesOfLast_.push_back(source);
+        }
         ++nextId_;
         ++state.entered;
         state.enteredMass += entering.all.mass.back();
@@ -178,8 +182,9 @@ double GrainEntry::largestDiameter() const
 void GrainEntry::enterFrom(std::size_t source, const GrainDynamics& dynamics, Entering& entering)
 {
     const EntrySource& from = sources_[source];
+    if (!from.region.begin()) return;
     if (!walls_) walls_ = std::make_unique<RoomOfWalls>(dynamics.walls(), largestDiameter());
-    RoomOfGrains room(dynamics.grains(), space_, from.region.bounds, 0.5*from.sizes.largest);
+    RoomOfGrains room(dynamics.grains(), space_, from.region, 0.5*from.sizes.largest);
     PlacesAhead places(from, source, space_.exchange->isParallel() ? triesPerLook : 1, room);
     while (states_[source].waiting() > 0 && enterNext(source, places, entering)) {}
 }
@@ -187,6 +192,7 @@ void GrainEntry::enterFrom(std::size_t source, const GrainDynamics& dynamics, En
 std::int64_t GrainEntry::enter(GrainDynamics& dynamics, double time)
 {
     Entering entering;
+    sourcesOfLast_.clear();
     entering.all.shape = entering.own.shape = space_.shape;
     for (std::size_t s = 0; s < sources_.size(); ++s)
     {

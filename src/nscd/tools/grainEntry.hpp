@@ -5,7 +5,6 @@
 #pragma once
 
 #include "nscd/tools/entryRoom.hpp"
-#include "nscd/tools/regions.hpp"
 #include "nscd/tools/sizeDistributions.hpp"
 
 #include <limits>
@@ -17,11 +16,12 @@ namespace nscd
 struct EntrySource
 {
     std::string name;
-    Region region;                          ///< of their centers
+    EntryRegion region;                     ///< of their centers
     SizeDistribution sizes;
     int material = 0;
     double density = 0.0;                   ///< [kg/m3]
     Vec3 velocity = Vec3::Zero();           ///< [m/s]
+    bool takesFluidVelocity = false;        ///< whoever knows the fluid then gives grains their velocity once they have entered
     Vec3 omega = Vec3::Zero();              ///< [rad/s]
     ScalarOfTime amount;                    ///< due from the beginning of the run to a time: a number, or a mass [kg]
     bool isMass = false;                    ///< what `amount` is
@@ -59,6 +59,9 @@ public:
     /// the same dynamics. Collective.
     std::int64_t enter(GrainDynamics& dynamics, double time);
 
+    /// The source of each grain that entered last on this rank, in the order of the grains.
+    const std::vector<std::size_t>& sourcesOfLast() const { return sourcesOfLast_; }
+
     const std::vector<EntrySource>& sources() const { return sources_; }
     const std::vector<EntryState>& states() const { return states_; }
     std::int64_t nextId() const { return nextId_; }
@@ -85,6 +88,7 @@ private:
     EntrySpace space_;
     std::vector<EntryState> states_;
     std::int64_t nextId_;
+    std::vector<std::size_t> sourcesOfLast_;
     std::unique_ptr<RoomOfWalls> walls_;   ///< since the first grain was due
 };
 

@@ -70,6 +70,38 @@ TEST(Ranks, letInTheGrainsThatOneRankLetsIn)
     }
 }
 
+/// Through a patch by the flux, with the fluid's velocity, and in a zone of cells.
+TEST(Ranks, letInTheGrainsThatOneRankLetsInAtPatchesAndInZones)
+{
+    const std::string row = "(0 0 0) (0 0 0.05) (0 0 0.1) (0 0 0.3) ";
+    const std::string meshSources = "grains { carried { type entering; region { type patch; patch front; by flux; } rate 3000; diameter 0.004; velocity fluid; } "
+        "fed { type entering; region { type cellZone; cellZone feed; } rate 1000; diameter 0.005; } } ";
+    Files files{{"constant/grainProperties", "materials { glass { density 2500; } } contacts { default { friction 0.3; } } "
+        "patches { front { type wall; } back { type exit; } } " + meshSources}, {"system/fvSolution", solutionWith(8)}};
+    files["0/U"] = "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { \"(left|right|bottom|top)\" { type noSlip; } "
+        "front { type fixedValue; value nonuniform List<vector> 16(" + row + row + row + row + "); } back { type inletOutlet; inletValue uniform (0 0 0); value uniform (0 0 0); } }";
+    files["system/topoSetDict"] = "actions ( { name some; type cellSet; action new; source boxToCell; box (0 0 0.1) (0.1 0.06 0.2); } "
+        "{ name feed; type cellZoneSet; action new; source setToCellZone; set some; } );";
+    const ProgramCase alone(files, control + "endTime 0.04;");
+    EXPECT_TRUE(succeeds(alone.run("topoSet")));
+    EXPECT_TRUE(succeeds(alone.run()));
+    EXPECT_GT(alone.reported("0", "entered").back(), 50);
+    for (const labelVector& parts : {labelVector(2, 1, 1), labelVector(1, 1, 3), labelVector(2, 2, 1)})
+    {
+        SCOPED_TRACE(cmptProduct(parts));
+        const ProgramCase together(files, control + "endTime 0.04;");
+        EXPECT_TRUE(succeeds(together.run("topoSet")));
+        EXPECT_TRUE(succeeds(together.decompose(parts)));
+        EXPECT_TRUE(succeeds(together.runOn(cmptProduct(parts))));
+        expectSameCounts(alone, together);
+        for (const char* column : {"massCenterX", "massCenterZ"})
+        {
+            const std::vector<double> here = alone.reported("0", column), there = together.reported("0", column);
+            for (std::size_t k = 0; k < 10; ++k) EXPECT_NEAR(here[k], there.at(k), 1e-6) << column << ' ' << k;
+        }
+    }
+}
+
 TEST(Ranks, goOnLettingGrainsInToTheBit)
 {
     const ProgramCase whole(coupled(), control + "writeInterval 10; endTime 0.04;"), parts(coupled(), control + "writeInterval 10; endTime 0.02;");

@@ -130,6 +130,43 @@ TEST_F(Placements, putClumpsInThePlacesOfGrains)
     EXPECT_EQ(grains.material[4], 1);
 }
 
+/// What another run wrote, of a program that can read it: as it was, numbered anew, a few at a time.
+TEST_F(Placements, takeGrainsOfAWrittenTime)
+{
+    input::Surroundings reads = around();
+    reads.grainsOfTime = [](const input::GrainSource& source, const input::MaterialTable& materials)
+    {
+        EXPECT_EQ(source.file + " " + source.time, "old 0.5");
+        nscd::Grains grains;
+        for (int k = 0; k < 5; ++k)
+        {
+            grains.add({0.1*k, 0, 0}, 0.01*(k + 1), materials.density[k % 2], k % 2, 70 + k);
+            grains.velocity.back() = {1.0*k, 2, 3};
+            grains.omega.back() = {0, 0, 1.0*k};
+            grains.orientation.back() = nscd::Quaternion(0, 1, 0, 0);
+            grains.isFixed.back() = k == 3;
+        }
+        return grains;
+    };
+    const std::string source = "grains { type time; case old; time 0.5; }";
+    input::PlacementTools tools;
+    tools.grainsInBatch = 2;
+    const std::vector<nscd::Grains> all = batches(source, tools, reads);
+    ASSERT_EQ(all.size(), 3u);
+    const nscd::Grains& second = all[1];
+    EXPECT_EQ(second.id, (std::vector<std::int64_t>{2, 3}));
+    EXPECT_EQ(second.radius[1], 0.04);
+    EXPECT_EQ(second.material[1], 1);
+    EXPECT_EQ(second.velocity[1], Vec3(3, 2, 3));
+    EXPECT_EQ(second.omega[1], Vec3(0, 0, 3));
+    EXPECT_EQ(second.orientation[1].x(), 1);
+    EXPECT_EQ(second.isFixed[0] + 2*second.isFixed[1], 2);
+    EXPECT_NEAR(second.mass[1], 11000*M_PI/6*0.08*0.08*0.08, 1e-12);
+    EXPECT_THROW(read(source, around()), input::InputError);
+    reads.shape.emptyAxis = 2;
+    EXPECT_THROW(batches(source, tools, reads), input::InputError);
+}
+
 TEST_F(Placements, refuseClumpsWhereThereAreNone)
 {
     input::Surroundings without = around();

@@ -35,6 +35,8 @@ class FoamFunctions : public input::Functions
 public:
     explicit FoamFunctions(const dictionary& dict) : dict_(dict) {}
 
+    const dictionary& dict() const { return dict_; }
+
     Words types() const override { return toWords(Function1<Foam::scalar>::dictionaryConstructorTablePtr_->sortedToc()); }
 
     nscd::ScalarOfTime scalar(const std::string& keyword) const override
@@ -173,6 +175,12 @@ Place placeOfWhole(const dictionary& dict)
 input::Dictionary fromFoam(const dictionary& dict)
 {
     return translated(dict, placeOfWhole(dict), true);
+}
+
+
+const dictionary& foamDictionary(const input::Dictionary& translated)
+{
+    return dynamic_cast<const FoamFunctions&>(*translated.functions).dict();
 }
 
 

@@ -3,6 +3,7 @@
 //
 // Reading what OpenFOAM alone can read, and handing the rest over.
 #include "coupling/base/vectorConversion.H"
+#include "coupling/case/input/foamHeader.H"
 #include "coupling/case/input/foamPositions.H"
 #include "coupling/case/input/inputError.H"
 
@@ -10,7 +11,6 @@
 #include "input/dictionary/withoutTraps.hpp"
 #include "input/dictionary/textFile.hpp"
 
-#include "IFstream.H"
 #include "OSspecific.H"
 #include "vectorList.H"
 
@@ -23,16 +23,6 @@ namespace nscdCoupling
 
 namespace
 {
-
-/// Whether the FoamFile header says so; the stream is then behind it, and in that format.
-bool isBinary(IFstream& is)
-{
-    const token first(is);
-    if (!first.isWord() || first.wordToken() != "FoamFile") return false;
-    const dictionary header(is);
-    is.format(header.lookupOrDefault<word>("format", "ascii"));
-    return is.format() == IOstream::BINARY;
-}
 
 std::vector<nscd::Vec3> readBinary(IFstream& is, const Place& source)
 {
@@ -55,7 +45,7 @@ std::vector<nscd::Vec3> readFoamPositions(const std::string& path, const Place& 
     if (!isFile(path)) input::checkIsFile(path, source);
     const input::WithoutTraps traps;
     IFstream is(path);
-    if (isBinary(is)) return readBinary(is, source);
+    if (readHeader(is) && is.format() == IOstream::BINARY) return readBinary(is, source);
     IFstream text(path);
     return input::parsePositions({std::istreambuf_iterator<char>(text.stdStream()), {}}, path, source);
 }

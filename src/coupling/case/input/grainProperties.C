@@ -6,7 +6,9 @@
 
 #include "coupling/base/vectorConversion.H"
 #include "coupling/case/input/foamDictionary.H"
+#include "coupling/case/input/foamSizes.H"
 #include "coupling/case/input/heatReader.H"
+#include "coupling/case/input/writtenGrains.H"
 #include "coupling/mapping/voidFractionMethods.H"
 
 #include "input/dictionary/withoutTraps.hpp"
@@ -175,6 +177,7 @@ GrainProperties readAll(const dictionary& dict, input::Surroundings around)
     properties.shape = top.choice("shape", {"sphere", "disc"}, "");
     properties.shapePlace = top.place("shape");
     around.shape = chosenShape(around.shape, properties.shape);
+    around.hasFluid = properties.solvesFluid;
     input::readScene(top, around, properties);
     readPatches(top, properties, around.shape.emptyAxis);
     properties.hasWalls = !top.subOrEmpty("walls").entries.empty();
@@ -258,6 +261,11 @@ input::Surroundings foamSurroundings(const fileName& casePath)
     around.nRanks = Pstream::nProcs();
     around.hasClumps = false;
     around.sleepsByDefault = false;
+    around.sizeModels = foamSizeModels();
+    around.grainsOfTime = [casePath](const input::GrainSource& source, const input::MaterialTable& materials)
+    {
+        return grainsOfTime(casePath, source, materials);
+    };
     return around;
 }
 

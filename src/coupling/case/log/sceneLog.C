@@ -43,7 +43,8 @@ string describeEntry(const nscd::EntrySource& entry)
 {
     return formatted
     (
-        "%s, diameter %.4g to %.4g m, by %s", entry.name.c_str(), entry.sizes.smallest, entry.sizes.largest, entry.isMass ? "mass" : "number"
+        "%s, diameter %.4g to %.4g m, by %s%s", entry.name.c_str(), entry.sizes.smallest, entry.sizes.largest, entry.isMass ? "mass" : "number",
+        entry.takesFluidVelocity ? ", at the fluid's velocity" : ""
     );
 }
 

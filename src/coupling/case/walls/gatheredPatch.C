@@ -3,6 +3,7 @@
 //
 // Gathering patches, with the points numbered over all ranks.
 #include "coupling/case/walls/gatheredPatch.H"
+#include "coupling/case/walls/gatheredLists.H"
 
 #include "ListOps.H"
 #include "PstreamReduceOps.H"
@@ -17,27 +18,6 @@ namespace Foam
 {
 namespace nscdCoupling
 {
-
-namespace
-{
-
-/// The lists of all ranks one behind the other, on every rank.
-template<class Type, class ListType>
-ListType gathered(const ListType& own)
-{
-    List<ListType> perRank(Pstream::nProcs());
-    perRank[Pstream::myProcNo()] = own;
-    Pstream::gatherList(perRank);
-    Pstream::scatterList(perRank);
-    DynamicList<Type> all;
-    for (const ListType& list : perRank) all.append(list);
-    ListType result;
-    result.transfer(all);
-    return result;
-}
-
-} // namespace
-
 
 labelList facesOfWholeMesh(const polyMesh& mesh)
 {

@@ -3,7 +3,9 @@
 //
 // Boundary patches as grains see them.
 #include "coupling/base/vectorConversion.H"
+#include "coupling/case/walls/patchRegion.H"
 #include "coupling/case/walls/patchRoles.H"
+#include "coupling/case/walls/zoneRegion.H"
 
 #include "SubField.H"
 #include "Time.H"
@@ -301,6 +303,7 @@ input::Surroundings surroundingsIn(const polyMesh& mesh)
     around.shape = grainShape(mesh);
     if (around.shape.emptyAxis >= 0) around.midPlane = mesh.bounds().centre()[around.shape.emptyAxis];
     around.box = periodicBox(mesh);
+    around.entryRegions = {{"patch", patchRegions(mesh)}, {"cellZone", zoneRegions(mesh)}};
     return around;
 }
 

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using nscd::Vec3;
 
 namespace
@@ -216,4 +218,34 @@ TEST(GrainEntry, wakesThoseThatSleep)
     ASSERT_EQ(report.asleep, 1u);
     ASSERT_TRUE(pour.enter(2.0));
     EXPECT_EQ(pour.step(1e-3).asleep, 0u);
+}
+
+/// A region by functions of its own: closed until 0.1 s, and of the places it draws only those in one half count.
+TEST(GrainEntry, asksARegionOfAProgram)
+{
+    nscd::EntrySource own = source(100), box = source(50);
+    bool isOpen = false;
+    own.region.begin = [&isOpen] { return isOpen; };
+    own.region.draw = [](const nscd::RandomNumbers& random) { const double x = 0.1*random(); return nscd::EntryTry{{x, 0.05, 0.15}, x < 0.05 ? 0u : 1u}; };
+    own.region.holds = [](const nscd::EntryTry& at) { return at.part == 1; };
+    Pour pour({own, box});
+    std::vector<std::size_t> sources;
+    for (int k = 1; k <= 200; ++k)
+    {
+        isOpen = k > 100;
+        const std::size_t before = pour.dynamics.grains().size();
+        pour.enter(1e-3*k);
+        for (const std::size_t s : pour.entry.sourcesOfLast()) sources.push_back(s);
+        ASSERT_EQ(sources.size(), pour.dynamics.grains().size());
+        for (std::size_t i = before; i < sources.size(); ++i)
+        {
+            if (sources[i] != 0) continue;
+            ASSERT_TRUE(isOpen);
+            ASSERT_GE(pour.dynamics.grains().position[i][0], 0.05);
+        }
+        if (k == 100) EXPECT_EQ(pour.entry.states()[0].waiting(), 10);
+        pour.step(1e-3);
+    }
+    EXPECT_GT(pour.entry.states()[0].entered, 8);
+    EXPECT_EQ(std::count(sources.begin(), sources.end(), 1u), 10);
 }
