@@ -253,7 +253,7 @@ TEST(Program, tellsTheFlowOfEachInlet)
     {
         {"0/U", walls + "front { type interstitialInletVelocity; inletVelocity uniform (0 0 0.01); alpha alpha.fluid; value uniform (0 0 0); } }"},
         {"constant/grainProperties",
-            "materials { glass { density 2500; } } contacts { default { friction 0.3; } } fluid solved; motion fixed;"
+            "materials { glass { density 2500; } } contacts { default { friction 0.3; } } fluid solved; motion fixed; voidFraction { filterWidth 0; }"
             "grains { type lattice; box (0 0 0) (0.1 0.1 0.05); count (5 5 2); diameter 0.02; }"
             "patches { front { type wall; } back { type exit; } }"}
     };

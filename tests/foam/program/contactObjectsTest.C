@@ -26,7 +26,7 @@ constexpr label nColumn = 6;
 Files columnFiles()
 {
     return {{"constant/grainProperties",
-        "materials { glass { density 2500; } } contacts { default { friction 0.3; } } solver { tolerance 1e-8; forceTolerance 1e-6; maxSweeps 100000; }"
+        "materials { glass { density 2500; } } contacts { default { friction 0.3; } } solver { tolerance 1e-8; forceTolerance 1e-6; maxSweeps 100000; } voidFraction { filterWidth 0; }"
         "grains { type lattice; box (0.025 0.025 0) (0.05 0.05 0.15); count (1 1 6); diameter 0.025; }"
         "patches { front { type wall; } back { type exit; } }"}};
 }
