@@ -107,12 +107,12 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_EQ(p.time.subCycles, 3);
 }
 
-// Cells below 2 d are widened to that; not where a case says how much to smooth, nor where nothing is read of the solid fraction.
+// Cells below 1.75 d are widened to 2 d; not where a case says how much to smooth, nor where nothing is read of the solid fraction.
 TEST(GrainProperties, smallCellsAreWidenedUnlessACaseSaysHowMuch)
 {
     const scalar d = 1e-3;
-    EXPECT_EQ(read(first).voidFraction.chosenWidth(d, 1.9*d), 2);
-    EXPECT_EQ(read(first).voidFraction.diffusionLength(d, 2*d), 0);
+    EXPECT_EQ(read(first).voidFraction.chosenWidth(d, 1.74*d), 2);
+    EXPECT_EQ(read(first).voidFraction.diffusionLength(d, 1.75*d*(1 - 1e-9)), 0);
     EXPECT_EQ(read(first + "voidFraction { filterWidth 0; }").voidFraction.diffusionLength(d, d), 0);
     EXPECT_EQ(read(first + "voidFraction { diffusion 3; }").voidFraction.diffusionLength(d, d), 3*d);
     EXPECT_EQ(read(first + "feedback off;").voidFraction.diffusionLength(d, d), 0);

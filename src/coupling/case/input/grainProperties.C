@@ -202,9 +202,11 @@ std::unique_ptr<IOdictionary> readWithoutTraps(const IOobject& io)
 
 scalar VoidFractionSettings::chosenWidth(scalar meanDiameter, scalar cellSize) const
 {
-    constexpr scalar enough = 2;
+    constexpr scalar small = 1.75, width = 2;
     if (filterWidth) return *filterWidth;
-    return diffusion == 0 && cellSize < enough*meanDiameter ? enough : 0;
+    // Cells of just that size are not small on any number of ranks, which sum their volumes in other orders.
+    constexpr scalar roundOff = 1e-6;
+    return diffusion == 0 && cellSize < (1 - roundOff)*small*meanDiameter ? width : 0;
 }
 
 
