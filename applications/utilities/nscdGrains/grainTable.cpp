@@ -4,7 +4,6 @@
 // Writing tables of grains.
 #include "grainTable.hpp"
 
-
 #include "nscd/base/completeFile.hpp"
 #include "nscd/base/numberText.hpp"
 

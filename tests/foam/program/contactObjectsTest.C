@@ -5,9 +5,9 @@
 #include "caseTools.H"
 #include "programCase.H"
 #include "unit/nscd/tools/vtpFile.hpp"
+#include "writtenFields.H"
 
 #include "OSspecific.H"
-#include "volFields.H"
 
 #include <cmath>
 #include <numeric>
@@ -47,18 +47,12 @@ Files heapFiles()
 
 const std::string pictures = "functions\n{\npictures { type contactForces; }\n}\n";
 
-tensorField stressOf(const ProgramCase& c, const std::string& time)
-{
-    IStringStream is(c.contents(time + "/contactStress.grains"));
-    return tensorField("internalField", dictionary(is), 4*4*8);
-}
-
 /// Cell of grain k of the column.
 label cellOf(label k) { return 1 + 4*1 + 16*k; }
 
 void expectWeightAbove(const ProgramCase& c, const std::string& time)
 {
-    const tensorField stress = stressOf(c, time);
+    const tensorField stress = cellValues<tensor>(c, time + "/contactStress.grains");
     const scalar area = diameter*diameter;
     for (label k = 0; k < nColumn; ++k)
     {

@@ -4,10 +4,9 @@
 // Tests of grainFields in nscdDEMFoam: with OpenFOAM's fieldAverage, on two ranks, over restarts, and bad input.
 #include "caseTools.H"
 #include "programCase.H"
+#include "writtenFields.H"
 
-#include "IFstream.H"
 #include "OSspecific.H"
-#include "volFields.H"
 
 #include <cmath>
 #include <sstream>
@@ -39,28 +38,12 @@ Files movingFiles()
         "patches { front { type wall; } back { type exit; } }"}};
 }
 
-template<class Type>
-Field<Type> internal(const ProgramCase& c, const fileName& file)
-{
-    IStringStream is(c.contents(file));
-    return Field<Type>("internalField", dictionary(is), 4*4*8);
-}
-
-/// Values of the grains in a written time.
-vectorField written(const ProgramCase& c, const fileName& file)
-{
-    IFstream is(c.path(file));
-    const token head(is);
-    const dictionary header(is);
-    return vectorField(is);
-}
-
 /// Mass of the grains, and their kinetic energy but for spins, as the report has them.
 void expectMassAndEnergy(const ProgramCase& c, const std::string& startTime, const std::string& time)
 {
-    const scalarField density = internal<scalar>(c, time + "/bulkDensity.grains");
-    const vectorField velocity = internal<vector>(c, time + "/U.grains");
-    const symmTensorField stress = internal<symmTensor>(c, time + "/kineticStress.grains");
+    const scalarField density = cellValues<scalar>(c, time + "/bulkDensity.grains");
+    const vectorField velocity = cellValues<vector>(c, time + "/U.grains");
+    const symmTensorField stress = cellValues<symmTensor>(c, time + "/kineticStress.grains");
     EXPECT_NEAR(cellVolume*sum(density), 18*grainMass, 1e-10*grainMass);
     const scalar energy = 0.5*cellVolume*sum(density*magSqr(velocity) + tr(stress));
     const scalar reported = c.reported(startTime, "kineticEnergy").back();
@@ -73,9 +56,9 @@ void expectMassAndEnergy(const ProgramCase& c, const std::string& startTime, con
 /// Momentum of the grains as written, and their energy with that of their spins, which the fields leave out.
 void expectMomentumAndSpins(const ProgramCase& c, const std::string& startTime, const std::string& time)
 {
-    const scalarField density = internal<scalar>(c, time + "/bulkDensity.grains");
-    const vectorField velocity = internal<vector>(c, time + "/U.grains");
-    const vectorField ofGrains = written(c, time + "/lagrangian/grains/U"), spins = written(c, time + "/lagrangian/grains/omega");
+    const scalarField density = cellValues<scalar>(c, time + "/bulkDensity.grains");
+    const vectorField velocity = cellValues<vector>(c, time + "/U.grains");
+    const vectorField ofGrains = grainVectors(c, time + "/lagrangian/grains/U"), spins = grainVectors(c, time + "/lagrangian/grains/omega");
     ASSERT_EQ(ofGrains.size(), 18);
     const vector momentum = grainMass*sum(ofGrains);
     EXPECT_LT(mag(cellVolume*sum(density*velocity) - momentum), 1e-10*mag(momentum));
@@ -114,7 +97,7 @@ TEST(GrainFields, serveFieldAverageAndProbes)
     expectMomentumAndSpins(c, "0", "0.01");
     const std::pair<vector, label> probed = meanProbed(c, "postProcessing/probes/0/U.grains");
     EXPECT_EQ(probed.second, 10);
-    const vector mean = internal<vector>(c, "0.01/U.grainsMean")[1 + 4*1 + 16*1];
+    const vector mean = cellValues<vector>(c, "0.01/U.grainsMean")[1 + 4*1 + 16*1];
     EXPECT_GT(mag(mean), 0.05);
     EXPECT_LT(mag(mean - probed.first), 1e-9*mag(mean));
     EXPECT_FALSE(c.contents("0.01/T.grainsMean").empty());
@@ -144,11 +127,11 @@ TEST(Ranks, grainFieldsAreThoseOfOneRank)
     // The fluid is solved to 1e-10, and moves the grains.
     for (const char* field : {"U.grains", "U.grainsMean"})
     {
-        const vectorField u = internal<vector>(alone, std::string("0.01/") + field);
-        EXPECT_LT(max(mag(u - internal<vector>(together, std::string("0.01/") + field))), 1e-7*max(mag(u))) << field;
+        const vectorField u = cellValues<vector>(alone, std::string("0.01/") + field);
+        EXPECT_LT(max(mag(u - cellValues<vector>(together, std::string("0.01/") + field))), 1e-7*max(mag(u))) << field;
     }
-    const scalarField t = internal<scalar>(alone, "0.01/T.grains");
-    EXPECT_LT(max(mag(t - internal<scalar>(together, "0.01/T.grains"))), 1e-7*max(t));
+    const scalarField t = cellValues<scalar>(alone, "0.01/T.grains");
+    EXPECT_LT(max(mag(t - cellValues<scalar>(together, "0.01/T.grains"))), 1e-7*max(t));
 }
 
 TEST(GrainFields, refuseBadInput)

@@ -4,9 +4,7 @@
 // Tests of `forces { model B; }` against model A where both must agree: a bed's pressure drop, a suspension that sinks, the balance of momentum.
 #include "caseTools.H"
 #include "programCase.H"
-
-#include "IFstream.H"
-#include "volFields.H"
+#include "writtenFields.H"
 
 #include <algorithm>
 
@@ -53,27 +51,12 @@ ProgramCase suspension(const std::string& forces)
     return ProgramCase(files, "endTime 0.06; writeInterval 60; ", box);
 }
 
-template<class Type>
-Field<Type> internal(const ProgramCase& c, const fileName& file)
-{
-    IStringStream is(c.contents(file));
-    return Field<Type>("internalField", dictionary(is), 4*4*8);
-}
-
-vectorField ofGrains(const ProgramCase& c, const fileName& file)
-{
-    IFstream is(c.path(file));
-    const token head(is);
-    const dictionary header(is);
-    return vectorField(is);
-}
-
 scalar largest(const std::vector<double>& values) { return values.empty() ? -1 : *std::max_element(values.begin(), values.end()); }
 
 /// Mean pressure gradient between the first and the last layer of cells [Pa/m].
 scalar gradientOf(const ProgramCase& c)
 {
-    const scalarField p = internal<scalar>(c, "0.02/p_rgh");
+    const scalarField p = cellValues<scalar>(c, "0.02/p_rgh");
     return (p[0] - p[16*7])/(7*0.025);
 }
 
@@ -82,7 +65,7 @@ const std::string steady = "endTime 0.02; writeInterval 20; ";
 /// Slip of the grains against the fluid [m/s].
 scalar slipOf(const ProgramCase& c)
 {
-    return (internal<vector>(c, "0.06/U")[0] - ofGrains(c, "0.06/lagrangian/grains/U")[0]).z();
+    return (cellValues<vector>(c, "0.06/U")[0] - grainVectors(c, "0.06/lagrangian/grains/U")[0]).z();
 }
 
 } // namespace
@@ -95,7 +78,7 @@ TEST(ModelB, hasThePressureDropOfModelAInAUniformBed)
     EXPECT_GT(gradientOf(a), 100);
     EXPECT_NEAR(gradientOf(b)/gradientOf(a), 1, 1e-6);
     // On the grain: drag over alpha, which in model A is drag and pressure.
-    const vectorField forceA = ofGrains(a, "0.02/lagrangian/grains/fFluid"), forceB = ofGrains(b, "0.02/lagrangian/grains/fFluid");
+    const vectorField forceA = grainVectors(a, "0.02/lagrangian/grains/fFluid"), forceB = grainVectors(b, "0.02/lagrangian/grains/fFluid");
     EXPECT_NEAR(sum(forceB).z()/sum(forceA).z(), 1, 1e-6);
     EXPECT_LT(largest(b.reported("0", "momentumError")), 1e-9) << largest(a.reported("0", "momentumError"));
 }

@@ -5,8 +5,7 @@
 #include "annulus.H"
 #include "caseTools.H"
 #include "programCase.H"
-
-#include "volFields.H"
+#include "writtenFields.H"
 
 #include <sstream>
 
@@ -78,11 +77,7 @@ std::unique_ptr<ProgramCase> annulus(const Files& files)
     return c;
 }
 
-vectorField velocityOf(const ProgramCase& c)
-{
-    IStringStream is(c.contents("3/U"));
-    return vectorField("internalField", dictionary(is), 4*n*n);
-}
+vectorField velocityOf(const ProgramCase& c) { return cellValues<vector>(c, "3/U", 4*n*n); }
 
 /// Center of a cell, by its place between the cylinders and around.
 point center(label cell)
