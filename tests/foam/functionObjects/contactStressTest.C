@@ -6,9 +6,9 @@
 
 #include "caseTools.H"
 #include "coupling/step/grainHomes.H"
-#include "coupling/step/grainsAtHome.H"
 #include "mappingTools.H"
 #include "ranksMesh.H"
+#include "functionObjects/shownGrains.H"
 
 #include "parallel/mpiExchange.hpp"
 
@@ -54,28 +54,16 @@ std::vector<ShownContact> contactsAnywhere(const ::nscd::Grains& grains)
 }
 
 /// What contactStress makes of contacts and grains on a mesh.
-struct StressOf
+struct StressOf : ShownGrains
 {
-    PatchRoles roles;
-    ::nscd::PeriodicBox box;
-    ::nscd::Materials materials;
-    const fvMesh& mesh;
-    std::unique_ptr<GrainMapping> mapping;
-    GrainAccess access;
-
     StressOf
     (
         const fvMesh& fvMesh, const ::nscd::Grains& own, const std::vector<ShownContact>& contacts, const dictionary& dict,
         const GrainsAtHome& atHome = GrainsAtHome(), const ::nscd::Communicator* all = nullptr
     )
     :
-        mesh(fvMesh),
-        mapping(std::make_unique<GrainMapping>(mesh, dict, 0.35, own.shape.dimensions)),
-        access(mesh, roles, box, materials)
+        ShownGrains(fvMesh, own, dict, atHome)
     {
-        mapping->update(all ? atHome.grains() : own, box);
-        access.show(own);
-        access.showMapping(mapping, atHome);
         if (all) access.showRanks(*all);
         access.recordContacts(contacts);
         functionObjects::ContactStress("stress", mesh.time(), dictionaryOf("type contactStress;"));

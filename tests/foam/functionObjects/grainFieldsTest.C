@@ -6,9 +6,9 @@
 
 #include "caseTools.H"
 #include "coupling/step/grainHomes.H"
-#include "coupling/step/grainsAtHome.H"
 #include "mappingTools.H"
 #include "ranksMesh.H"
+#include "functionObjects/shownGrains.H"
 
 #include "parallel/mpiExchange.hpp"
 
@@ -41,25 +41,12 @@ const labelVector nCells(6, 5, 8);
 }
 
 /// What grainFields makes of grains on a mesh.
-struct FieldsOf
+struct FieldsOf : ShownGrains
 {
-    PatchRoles roles;
-    ::nscd::PeriodicBox box;
-    ::nscd::Materials materials;
-    const fvMesh& mesh;
-    std::unique_ptr<GrainMapping> mapping;
-    GrainAccess access;
-
     FieldsOf(const fvMesh& fvMesh, const ::nscd::Grains& own, const dictionary& dict, const GrainsAtHome& atHome = GrainsAtHome())
     :
-        mesh(fvMesh),
-        mapping(std::make_unique<GrainMapping>(mesh, dict, 0.35, own.shape.dimensions)),
-        access(mesh, roles, box, materials)
+        ShownGrains(fvMesh, own, dict, atHome)
     {
-        const bool hasGrains = returnReduce(label(own.size()), sumOp<label>()) > 0;
-        if (hasGrains) mapping->update(atHome.grains().size() > 0 || Pstream::parRun() ? atHome.grains() : own, box);
-        access.show(own);
-        access.showMapping(mapping, atHome);
         functionObjects::GrainFields("fields", mesh.time(), dictionaryOf("type grainFields;"));
     }
 
