@@ -73,7 +73,7 @@ def judge(case, phi, densityRatio, ratio):
     """Largest error of the mean slip, largest speed of the fluid and largest energy of the grains, over all steps; in shares of the first."""
     energies = numpy.array(case.report()["kineticEnergy"])/(PER_AXIS**3*math.pi/12*D**3*densityRatio*RHO_FLUID*SPEED**2)
     fluid = numpy.array([float(line.split()[-1].strip(")")) for line in written(case, "fluid", "volFieldValue.dat")])
-    fastest = max(float(line.split("\t")[5]) for line in written(case, "speed", "fieldMinMax.dat"))
+    fastest = max(float(line.split("\t")[4]) for line in written(case, "speed", "fieldMinMax.dat"))
     exact = numpy.exp(-ratio*numpy.arange(1, STEPS + 1))
     slips = numpy.sqrt(energies) - fluid/SPEED
     return abs(slips - exact).max(), fastest/SPEED, energies.max()
