@@ -146,7 +146,7 @@ TEST_F(Placements, takeGrainsOfAWrittenTime)
             grains.orientation.back() = nscd::Quaternion(0, 1, 0, 0);
             grains.isFixed.back() = k == 3;
         }
-        return grains;
+        return input::WrittenGrains{grains};
     };
     const std::string source = "grains { type time; case old; time 0.5; }";
     input::PlacementTools tools;
