@@ -76,7 +76,7 @@ void CoupledRun::describeVolumes(StepRow& row) const
     if (row.grainVolume > 0) row.volumeError = mag(row.solidVolume - (row.grainVolume - row.volumeOutside))/row.grainVolume;
 }
 
-GrainTotals CoupledRun::totals() const
+GrainTotals CoupledRun::describeTotals() const
 {
     GrainTotals totals = sumGrains(dynamics_->grains(), *ranks_.exchange());
     if (coarse_) coarse_->describe(dynamics_->grains(), *ranks_.exchange(), totals);
@@ -85,7 +85,7 @@ GrainTotals CoupledRun::totals() const
 
 StepRow CoupledRun::describeStep()
 {
-    const GrainTotals totals = this->totals();
+    const GrainTotals totals = describeTotals();
     StepRow row;
     row.time = time_.value();
     row.deltaT = time_.deltaTValue();

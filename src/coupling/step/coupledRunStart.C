@@ -126,7 +126,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     report_ = std::make_unique<GrainReport>(time, properties_.heat != nullptr, coarse_ != nullptr);
     if (properties_.hasWalls || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
     const stringList inflow = hasFluid() ? describeInflow(immersion_->fluid->U(), immersion_->sources.fluidFraction) : stringList();
-    logScene(Info, properties_, scene_, totals(), mesh, hasGrainState(mesh), inflow);
+    logScene(Info, properties_, scene_, describeTotals(), mesh, hasGrainState(mesh), inflow);
 }
 
 GrainState CoupledRun::readState() const

@@ -47,7 +47,7 @@ struct Suspensions
 
 void expectNear(const Vec3& found, const Vec3& expected, const char* what, std::size_t i)
 {
-    EXPECT_LT((found - expected).norm(), 1e-13*expected.norm() + 1e-300) << what << ' ' << i;
+    EXPECT_LT((found - expected).norm(), 1e-12*expected.norm() + 1e-300) << what << ' ' << i;
 }
 
 } // namespace
