@@ -18,6 +18,11 @@ scalar CoarseGrains::numberOf(const ::nscd::Grains& grains, std::size_t i) const
     return ::nscd::grainsInParcel(factor_[i], grains.shape.dimensions);
 }
 
+bool CoarseGrains::isSound() const
+{
+    return std::all_of(factor_.begin(), factor_.end(), [](scalar factor) { return factor >= 1 && factor < VGREAT; });
+}
+
 void CoarseGrains::welcome(std::size_t first, const std::vector<std::size_t>& sources, const std::vector<::nscd::EntrySource>& all)
 {
     for (std::size_t k = 0; k < sources.size(); ++k) factor_[first + k] = all[sources[k]].coarseGraining;

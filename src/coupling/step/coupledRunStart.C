@@ -181,6 +181,10 @@ RunNumbers CoupledRun::startGrains()
 void CoupledRun::goOnFrom(const GrainState& state)
 {
     memory_.recall(state.extras, Info);
+    if (coarse_ && !coarse_->isSound())
+    {
+        fail({placeInFile(time_.timePath()/"lagrangian/grains", coarseness.name), "is damaged", "", "numbers of 1 and more"});
+    }
     exited_ = static_cast<std::int64_t>(state.numbers.at("exited"));
     continueTime(time_, state.numbers.at("time"));
     reach_ = {state.numbers.at("courant"), state.numbers.at("displacement"), true};

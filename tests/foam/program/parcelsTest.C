@@ -166,12 +166,12 @@ TEST(Parcels, ofOneGrainAreThatGrainToTheBit)
 
 TEST(Parcels, areCountedInBothUnits)
 {
-    const ProgramCase c(Files{{"constant/grainProperties", mixed}}, "endTime 0.5; deltaT 2e-3; writeInterval 1000;");
+    const ProgramCase c(Files{{"constant/grainProperties", mixed}}, "endTime 0.3; deltaT 2e-3; writeInterval 1000;");
     const ProgramRun run = c.run();
     EXPECT_TRUE(succeeds(run));
     EXPECT_TRUE(holds(run.log, {"107 parcels of 1 to 8 grains = 331 grains of diameter 0.005 to 0.006 m, ", "parcels of 8 grains", " real grains"}));
     expectAllCounted(c, "0", realAtStart);
-    EXPECT_GT(c.reported("0", "realExited").back(), 500);
+    EXPECT_GT(c.reported("0", "realExited").back(), 100);
     const std::vector<double> entered = c.reported("0", "entered"), waiting = c.reported("0", "waiting"), mass = c.reported("0", "enteredMass");
     // 12000 real grains a second are 1500 parcels, 3 a step.
     for (std::size_t k = 0; k < entered.size(); ++k) ASSERT_EQ(entered[k] + waiting[k], 3*(double(k) + 1));
@@ -216,12 +216,12 @@ TEST(Parcels, ofAnotherCaseStayParcels)
 {
     const ProgramCase old(Files{{"constant/grainProperties", mixed}}, "writeFormat binary; endTime 0.02; deltaT 2e-3; writeInterval 10;");
     EXPECT_TRUE(succeeds(old.run()));
-    const std::string fromTime = glassOnly + closed + "grains { old { type time; case \"" + old.path("") + "\"; time latestTime; } "
+    const std::string fromTime = glassOnly + open + "grains { old { type time; case \"" + old.path("") + "\"; time latestTime; } "
         "more { type lattice; box (0.09 0.09 0.19) (0.1 0.1 0.2); count (1 1 1); diameter 0.001; } } ";
     const ProgramCase next(Files{{"constant/grainProperties", fromTime}});
     EXPECT_TRUE(succeeds(next.run()));
-    EXPECT_EQ(next.reported("0", "grains").front(), old.reported("0", "grains").back() + 1);
-    EXPECT_EQ(next.reported("0", "realGrains").front(), old.reported("0", "realGrains").back() + 1);
+    EXPECT_EQ(next.reported("0", "realGrains").front() + next.reported("0", "realExited").front(), old.reported("0", "realGrains").back() + 1);
+    EXPECT_GT(next.reported("0", "realGrains").front(), next.reported("0", "grains").front() + 100);
 }
 
 /// A fluid whose temperature does not move, at rest: Nu is 2, of grains of half the diameter.
@@ -251,7 +251,7 @@ TEST(Parcels, refuseBadInput)
         return isRefused(ProgramCase(Files{{"constant/grainProperties", closed + more + "grains { " + source + " }"}}), pieces);
     };
     const std::string one = "type lattice; box (0.02 0.02 0.02) (0.08 0.08 0.06); count (3 3 2); diameter 0.002; ";
-    EXPECT_TRUE(isRefusedWith(one + "coarseGraining 0.5;", glassOnly, {"grains.coarseGraining", "0.5", "1 to 1000", "constant/grainProperties"}));
+    EXPECT_TRUE(isRefusedWith(one + "coarseGraining 0.5;", glassOnly, {"grains.coarseGraining", "0.5", "1000", "constant/grainProperties"}));
     EXPECT_TRUE(isRefusedWith(one + "coarseGrainig 5;", glassOnly, {"grains.coarseGrainig", "nearest: coarseGraining"}));
     const std::string few = "type filling; region { type box; box (0 0 0) (0.1 0.1 0.1); } number 100; diameter 0.002; coarseGraining 5; ";
     EXPECT_TRUE(isRefusedWith(few, glassOnly, {"grains.number", "is less than one parcel", "at least 125"}));
@@ -277,7 +277,7 @@ TEST(Ranks, haveTheParcelsOfOneRank)
         expectAllCounted(together, "0", realAtStart);
         for (const char* column : {"realGrains", "realExited", "realEntered"}) EXPECT_EQ(alone.reported("0", column), together.reported("0", column)) << column;
         const std::vector<double> here = alone.reported("0", "massCenterZ"), there = together.reported("0", "massCenterZ");
-        for (std::size_t k = 0; k < 10; ++k) EXPECT_NEAR(here[k], there.at(k), 1e-7) << k;
+        for (std::size_t k = 0; k < 10; ++k) EXPECT_NEAR(here[k], there.at(k), 1e-6) << k;
     }
 }
 

@@ -116,7 +116,7 @@ TEST(CoarseGrains, ofOneRealGrainEachAreThatGrainToTheBit)
 TEST(CoarseGrains, areCountedInRealGrains)
 {
     Suspensions both;
-    const ::nscd::Exchange alone;
+    const ::nscd::Exchange alone{};
     GrainTotals totals = sumGrains(both.parcels.grains, alone);
     both.coarse.describe(both.parcels.grains, alone, totals);
     EXPECT_NEAR(totals.real.number, 5*(1 + 8 + 125 + pow3(1.7)), 1e-10);

@@ -166,6 +166,12 @@ void checkGrain(const point& x, scalar d, label id, const input::GrainSource& so
     throw InputError({source.filePlace, messageText("holds a damaged grain, ", id), messageText("d ", d, ", position ", x), "finite positions and positive diameters"});
 }
 
+scalar factorOf(scalar written, label id, const input::GrainSource& source)
+{
+    if (written >= 1 && written < VGREAT) return written;
+    throw InputError({source.filePlace, messageText("holds a damaged grain, ", id), messageText("coarseGraining ", written), "numbers of 1 and more"});
+}
+
 /// Indices of the grains, ascending in their identities.
 labelList byIdentity(const labelUList& ids)
 {
@@ -189,7 +195,7 @@ input::WrittenGrains readCloud(const WrittenTime& time, const input::GrainSource
     nscd::Grains& grains = written.grains;
     for (const label i : byIdentity(id))
     {
-        if (factor.size()) written.coarseGraining.push_back(factor[i]);
+        if (factor.size()) written.coarseGraining.push_back(factorOf(factor[i], id[i], source));
         checkGrain(x[i], d[i], id[i], source);
         const int m = materialOf(material[i], names, source, materials);
         grains.add(toVec3(x[i]), 0.5*d[i], materials.density[m], m, id[i]);
