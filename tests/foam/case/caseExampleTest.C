@@ -155,7 +155,8 @@ TEST(ExampleFile, statesTheDefaults)
     EXPECT_EQ(example.forces.drag.isPolydisperse, first.forces.drag.isPolydisperse);
     for (const auto& [force, given] : example.forces.switches)
     {
-        if (force != "field") EXPECT_EQ(given.isOn, first.forces.isOn(force)) << force;
+        if (force == "field") continue;
+        EXPECT_EQ(given.isOn, first.forces.isOn(force)) << force;
     }
     EXPECT_TRUE(example.forces.field.acceleration(1).isZero(0) && example.forces.field.forceDensity(1).isZero(0));
     EXPECT_EQ(example.time.maxGrainDisplacement, first.time.maxGrainDisplacement);
