@@ -80,7 +80,7 @@ scalar slipOf(const ProgramCase& c)
 
 /// Parcels and real grains that fall among one another, leave, and parcels that enter.
 const std::string mixed = glassOnly + open + "forces { drag { law Beetstra; polydisperse on; } } grains { "
-    "coarse { type lattice; box (0.01 0.01 0.01) (0.09 0.09 0.06); count (4 4 2); diameter 0.005; jitter 0.5; coarseGraining 2; velocity (0 0 -0.5); } "
+    "coarse { type lattice; box (0.01 0.01 0.01) (0.09 0.09 0.06); count (4 4 2); diameter 0.005; jitter 0.5; coarseGraining 2; velocity (0 0 -3); } "
     "fine { type lattice; box (0.01 0.01 0.06) (0.09 0.09 0.1); count (5 5 3); diameter 0.006; jitter 0.5; } "
     "pour { type entering; region { type box; box (0.01 0.01 0.12) (0.09 0.09 0.19); } rate 12000; velocity (0 0 -1); coarseGraining 2; diameter 0.004; } } ";
 
@@ -119,12 +119,12 @@ TEST(Parcels, settleAsOneOfTheirGrains)
     EXPECT_GT(lastSpeed(big), 3*lastSpeed(real));
 }
 
-/// A parcel's own wake is taken out as a grain's is.
-TEST(Parcels, thatAreAloneSettleAsOneOfTheirGrainsInAFluidThatFeelsThem)
+/// A parcel's own wake is taken out as a grain's is; what is left of it goes like the number of its grains (measured.md).
+TEST(Parcels, thatAreAloneSettleNearlyAsOneOfTheirGrainsInAFluidThatFeelsThem)
 {
     const double alone = lastSpeed(fall("", 1e-3, "feedback off; "));
-    EXPECT_NEAR(lastSpeed(fall("", 1e-3, ""))/alone, 1, 0.03);
-    EXPECT_NEAR(lastSpeed(fall("coarseGraining 5;", 1e-3, ""))/alone, 1, 0.1);
+    EXPECT_NEAR(lastSpeed(fall("", 1e-3, ""))/alone, 1, 0.01);
+    EXPECT_NEAR(lastSpeed(fall("coarseGraining 2;", 1e-3, ""))/alone, 1, 0.03);
 }
 
 TEST(Parcels, resistAsTheBedOfTheirGrains)
@@ -153,7 +153,7 @@ TEST(Parcels, ofOneGrainAreThatGrainToTheBit)
     const auto falling = [](const std::string& more)
     {
         return Files{{"constant/grainProperties", glassOnly + closed + "forces { saffmanLift on; magnusLift on; } grains { type lattice; "
-            "box (0.01 0.01 0.01) (0.09 0.09 0.09); count (5 5 4); diameter 0.012; jitter 0.7; spread 0.2; omega (20 -30 10); " + more + " }"}};
+            "box (0.01 0.01 0.01) (0.09 0.09 0.09); count (5 5 4); diameter 0.012; jitter 0.7; spread 0.2; velocity (0.5 0 -1); omega (20 -30 10); " + more + " }"}};
     };
     const std::string control = "writeFormat binary; endTime 0.04; writeInterval 40;";
     const ProgramCase without(falling(""), control), with(falling("coarseGraining 1;"), control);
