@@ -239,7 +239,8 @@ void BoxMesh::writeFile(const fileName& path, const std::string& contents) const
     mkDir(full.path());
     // decomposePar takes those for fields that say so.
     const bool isField = contents.find("internalField") != std::string::npos;
-    const bool isVector = contents.find("dimensions [0 1 -1 0 0 0 0]") != std::string::npos;
+    const auto has = [&](const char* dimensions) { return contents.find(dimensions) != std::string::npos; };
+    const bool isVector = has("dimensions [0 1 -1 0 0 0 0]") || has("dimensions [0 1 -2 0 0 0 0]");
     std::ofstream(full)
         << "FoamFile { version 2.0; format ascii; class " << (!isField ? "dictionary" : isVector ? "volVectorField" : "volScalarField")
         << "; object " << full.name() << "; }\n"

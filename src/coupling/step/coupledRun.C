@@ -40,6 +40,7 @@ bool CoupledRun::nextStep()
     letIn(time_.value() + time_.deltaTValue());
     ++time_;
     driveTo(time_.value(), time_.deltaTValue());
+    if (coarse_) coarse_->update(dynamics_->grains());
     if (!hasFluid()) return true;
     immersion_->sources.hasGrains = feedsBack();
     immersion_->sources.hasResponse = feedsBack() && (!immersion_->sources.isStatic || immersion_->sources.isModelB);
@@ -52,20 +53,37 @@ void CoupledRun::driveTo(scalar end, scalar deltaT)
     toldByFoam([&] { input::driveGrains(properties_.driven, *dynamics_, end - deltaT, end); });
 }
 
+ForceInputs CoupledRun::forceInputs() const
+{
+    const ::nscd::Grains& grains = dynamics_->grains();
+    return {grains, step_.at, fluidDensity(), toVec3(gravity_), coarse_ ? coarse_->radius() : grains.radius};
+}
+
+void CoupledRun::applyField()
+{
+    const GrainMapping* mapping = hasFluid() ? immersion_->mapping.get() : nullptr;
+    const GrainsAtHome* atHome = hasFluid() ? &immersion_->atHome : nullptr;
+    const scalar end = time_.value();
+    step_.at.applied = field_->onGrains(dynamics_->grains(), end - time_.deltaTValue(), end, mapping, atHome);
+}
+
 void CoupledRun::sampleFluid()
 {
     const auto timer = timing_.time(StepPart::sampleFluid);
+    if (field_ && hasGrains()) applyField();
     if (!hasFluid() || !hasGrains()) return;
     step_.at.ownWake.clear();
     sampleAtGrains(forces_.readsAtStart() | (ownWake_ ? reads::own : reads::nothing) | (heat_ ? GrainHeat::reads : reads::nothing));
-    if (!ownWake_) return;
-    followOwnWake(forceInputs(), fluidForce_, ownStressShare_, time_.deltaTValue(), step_.at, *ownWake_);
+    if (ownWake_) followOwnWake(forceInputs(), fluidForce_, ownStressShare_, time_.deltaTValue(), step_.at, *ownWake_);
+    if (!coarse_) return;
+    if (!ownWake_) step_.at.dragFactor.assign(dynamics_->grains().size(), 1.0);
+    coarse_->multiplyDrag(dynamics_->grains(), step_.at.dragFactor);
 }
 
 void CoupledRun::sampleAtGrains(unsigned wanted)
 {
     const volScalarField* fluidFraction = feedsBack() ? &immersion_->sources.fluidFraction : nullptr;
-    nscdCoupling::sampleFluid(*immersion_->fluid, fluidFraction, *immersion_->mapping, immersion_->atHome, wanted, step_.at);
+    nscdCoupling::sampleFluid(*immersion_->fluid, fluidFraction, *immersion_->mapping, immersion_->atHome, wanted, step_.at, coarse_ ? &coarse_->factor() : nullptr);
 }
 
 void CoupledRun::linearizeDrag()
@@ -140,7 +158,7 @@ void CoupledRun::solveFluid()
 void CoupledRun::solveHeat()
 {
     if (!hasGrains()) return heat_->solveFluidAlone();
-    heat_->solve(dynamics_->grains(), step_.at, *immersion_->mapping, immersion_->atHome, time_.deltaTValue());
+    heat_->solve(dynamics_->grains(), forceInputs().realRadius, step_.at, *immersion_->mapping, immersion_->atHome, time_.deltaTValue());
 }
 
 void CoupledRun::fluidForces()
@@ -186,7 +204,7 @@ void CoupledRun::advanceGrains()
     const ::nscd::Grains& grains = dynamics_->grains();
     ::nscd::ExternalForces external = forces_.external(forceInputs(), step_.force, drag);
     // Without a fluid weight acts alone, and no mean over grains rounds it: nscdGrains computes the same, to the bit.
-    external.speedScale = hasFluid()
+    external.speedScale = hasFluid() || field_
         ? forces_.speedScale(forceInputs(), step_.exchanged, drag, deltaT, *ranks_.exchange()) : forceInputs().gravity.norm()*deltaT;
 
     const std::vector<Vec3> before = drag.implicit.empty() ? std::vector<Vec3>() : grains.velocity;
@@ -215,6 +233,8 @@ void CoupledRun::recordFluidForce()
     {
         fluidForce_[i] = step_.force[i] - grains.mass[i]*toVec3(gravity_) + step_.received[i]/time_.deltaTValue();
     }
+    if (!field_) return;
+    for (std::size_t i = 0; i < grains.size(); ++i) fluidForce_[i] -= step_.at.applied[i];
 }
 
 void CoupledRun::settleDebts()
@@ -312,6 +332,7 @@ void CoupledRun::removeExited(const std::vector<label>& cells)
     access_.recordExits(gone, exited.patches);
     leaveDebts(gone);
     if (heat_) heat_->dismiss(grains, gone);
+    if (coarse_) coarse_->dismiss(grains, gone);
     eraseGrains(grains, gone);
     dynamics_->setGrains(std::move(grains));
     memory_.erase(gone);

@@ -84,6 +84,7 @@ void CoupledRun::letIn(scalar end)
     if (entered == 0) return;
     const auto timer = timing_.time(StepPart::depositGrains);
     memory_.enter(dynamics_->grains().size() - before);
+    if (coarse_) coarse_->welcome(before, entry_->sourcesOfLast(), properties_.entries);
     if (heat_) heat_->welcome(dynamics_->grains());
     nGrains_ += entered;
     if (hasFluid()) updateWeights();

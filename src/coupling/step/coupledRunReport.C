@@ -76,9 +76,16 @@ void CoupledRun::describeVolumes(StepRow& row) const
     if (row.grainVolume > 0) row.volumeError = mag(row.solidVolume - (row.grainVolume - row.volumeOutside))/row.grainVolume;
 }
 
+GrainTotals CoupledRun::describeTotals() const
+{
+    GrainTotals totals = sumGrains(dynamics_->grains(), *ranks_.exchange());
+    if (coarse_) coarse_->describe(dynamics_->grains(), *ranks_.exchange(), totals);
+    return totals;
+}
+
 StepRow CoupledRun::describeStep()
 {
-    const GrainTotals totals = sumGrains(dynamics_->grains(), *ranks_.exchange());
+    const GrainTotals totals = describeTotals();
     StepRow row;
     row.time = time_.value();
     row.deltaT = time_.deltaTValue();
@@ -94,6 +101,9 @@ StepRow CoupledRun::describeStep()
     row.exited = exited_;
     if (entry_) row.entries = ::nscd::totalOf(entry_->states());
     row.courantMax = reach_.courant;
+    row.realGrains = totals.real.number;
+    if (coarse_) row.realExited = coarse_->exited(*ranks_.exchange());
+    if (coarse_ && entry_) row.realEntered = realGrainsEntered(*entry_, scene_.space.shape.dimensions);
     if (heat_) row.heat = heat_->report(dynamics_->grains());
     return row;
 }

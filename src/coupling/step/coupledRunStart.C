@@ -5,6 +5,7 @@
 // Tested by tests/foam/program/caseProgramTest.C
 #include "coupling/step/coupledRun.H"
 
+#include "coupling/case/files/cloudFiles.H"
 #include "coupling/case/files/processorFolders.H"
 #include "coupling/case/log/grainTotals.H"
 #include "coupling/case/log/inflow.H"
@@ -45,6 +46,8 @@ const Remembered<scalar> temperature
 {
     "T", "K", GrainHeat::unknown, isWritten, OnRestart::optional, "the temperature of their material in `heat`"
 };
+
+const Remembered<scalar> coarseness{"coarseGraining", "-", 1.0, isWritten, OnRestart::optional};
 
 /// The time that a directory's name gives has lost digits; a directory that was renamed, to start anew at 0 say, keeps its name.
 void continueTime(Time& time, scalar written)
@@ -119,10 +122,11 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     if (properties_.solvesFluid) startFluid();
     if (properties_.hasEntries()) startEntries(numbers);
     if (properties_.heat) startHeat();
-    report_ = std::make_unique<GrainReport>(time, properties_.heat != nullptr);
+    if (properties_.forces.isOn("field")) field_ = std::make_unique<ForceField>(properties_.forces.field, mesh);
+    report_ = std::make_unique<GrainReport>(time, properties_.heat != nullptr, coarse_ != nullptr);
     if (properties_.hasWalls || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
     const stringList inflow = hasFluid() ? describeInflow(immersion_->fluid->U(), immersion_->sources.fluidFraction) : stringList();
-    logScene(Info, properties_, scene_, sumGrains(dynamics_->grains(), *ranks_.exchange()), mesh, hasGrainState(mesh), inflow);
+    logScene(Info, properties_, scene_, describeTotals(), mesh, hasGrainState(mesh), inflow);
 }
 
 GrainState CoupledRun::readState() const
@@ -136,18 +140,33 @@ GrainState CoupledRun::readState() const
 
 GrainState CoupledRun::newState() const
 {
-    return GrainState{makeFirstGrains(properties_, scene_, mesh_, *ranks_.exchange()), {}, {}, {}, {}};
+    input::PlacedFactors factors;
+    GrainState state{makeFirstGrains(properties_, scene_, mesh_, *ranks_.exchange(), &factors), {}, {}, {}, {}};
+    if (!properties_.hasCoarseGrains && factors.areAllOne()) return state;
+    std::vector<scalar>& factor = state.extras.scalars[coarseness.name];
+    for (const std::int64_t id : state.grains.id) factor.push_back(factors.of(id));
+    return state;
+}
+
+/// Before a state is read, so that it is looked for there.
+void CoupledRun::startCoarseGrains()
+{
+    checkCoarseGrains(properties_);
+    coarse_ = std::make_unique<CoarseGrains>(memory_.add(coarseness));
 }
 
 RunNumbers CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
+    if (isRestart && (properties_.hasCoarseGrains || CloudReader(mesh_, "grains").found(coarseness.name))) startCoarseGrains();
     GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
     if (isRestart) checkRestart(state.grains, state.numbers.at("time"), scene_, properties_, mesh_, *ranks_.exchange());
     toldByFoam([&] { input::holdDriven(properties_.driven, state.grains, *ranks_.exchange(), isRestart && hasExits()); });
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;
+    if (state.extras.scalars.count(coarseness.name) && !coarse_) startCoarseGrains();
     state = ranks_.share(state, {});
     memory_.start(state.grains.size());
+    if (coarse_ && !isRestart) coarse_->start(state.extras.scalars.at(coarseness.name));
     dynamics_ = std::make_unique<::nscd::GrainDynamics>
     (
         std::move(state.grains), properties_.materials.table, scene_.walls, scene_.box, properties_.contact, ranks_.exchange()
@@ -155,13 +174,23 @@ RunNumbers CoupledRun::startGrains()
     access_.show(dynamics_->grains());
     if (ranks_.isParallel()) access_.showRanks(ranks_.tree().all());
     if (!isRestart) return {};
+    goOnFrom(state);
+    return state.numbers;
+}
 
+void CoupledRun::goOnFrom(const GrainState& state)
+{
     memory_.recall(state.extras, Info);
+    if (coarse_ && !coarse_->isSound())
+    {
+        fail({placeInFile(time_.timePath()/"lagrangian/grains", coarseness.name), "is damaged", "", "numbers of 1 and more"});
+    }
     exited_ = static_cast<std::int64_t>(state.numbers.at("exited"));
     continueTime(time_, state.numbers.at("time"));
     reach_ = {state.numbers.at("courant"), state.numbers.at("displacement"), true};
     dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
-    return state.numbers;
+    const auto realExited = state.numbers.find("realExited");
+    if (coarse_ && Pstream::master() && realExited != state.numbers.end()) coarse_->setExited(realExited->second);
 }
 
 void CoupledRun::startHomes()

@@ -65,8 +65,19 @@ struct WantedFields
     }
 };
 
+/// Of parcels the diameters of real grains, from theirs: `factor` is that of the owned grains.
+void makeReal(const std::vector<scalar>& factor, const GrainsAtHome& atHome, std::vector<scalar>& volumeOverDiameter)
+{
+    std::vector<scalar> atHomes = factor;
+    atHome.toHomes({{&atHomes}, {}});
+    for (std::size_t i = 0; i < atHomes.size(); ++i) volumeOverDiameter[i] *= atHomes[i];
+}
+
 /// Sum of V_i over sum of V_i/d_i, each laid down in the cells and sampled from there: Sauter's mean, with the weights of the solid fraction.
-void sampleMeanDiameter(const GrainMapping& mapping, std::vector<scalar>& mean)
+void sampleMeanDiameter
+(
+    const GrainMapping& mapping, const GrainsAtHome& atHome, const std::vector<scalar>* coarseGraining, std::vector<scalar>& mean
+)
 {
     const std::vector<scalar>& volumes = mapping.volumes();
     std::vector<scalar> volumeOverDiameter(volumes.size()), sampled;
@@ -74,6 +85,7 @@ void sampleMeanDiameter(const GrainMapping& mapping, std::vector<scalar>& mean)
     {
         volumeOverDiameter[i] = volumes[i]/std::cbrt(6*volumes[i]/constant::mathematical::pi);
     }
+    if (coarseGraining) makeReal(*coarseGraining, atHome, volumeOverDiameter);
     scalarField solids, surface;
     mapping.spread({{volumes, solids}, {volumeOverDiameter, surface}}, {});
     mapping.sample({{solids, mean}, {surface, sampled}}, {});
@@ -85,7 +97,7 @@ void sampleMeanDiameter(const GrainMapping& mapping, std::vector<scalar>& mean)
 void sampleFluid
 (
     const FluidSolver& fluid, const volScalarField* fluidFraction, const GrainMapping& mapping, const GrainsAtHome& atHome,
-    unsigned wanted, FluidAtGrains& at
+    unsigned wanted, FluidAtGrains& at, const std::vector<scalar>* coarseGraining
 )
 {
     const WantedFields fields(fluid, fluidFraction, wanted, at);
@@ -99,7 +111,7 @@ void sampleFluid
     }
     if (wanted & reads::meanDiameter)
     {
-        sampleMeanDiameter(mapping, at.meanDiameter);
+        sampleMeanDiameter(mapping, atHome, coarseGraining, at.meanDiameter);
         sampled.scalars.push_back(&at.meanDiameter);
     }
     for (const ScalarSample& field : fields.scalars) sampled.scalars.push_back(&field.grains);

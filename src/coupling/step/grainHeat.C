@@ -112,27 +112,30 @@ void GrainHeat::dismiss(const ::nscd::Grains& grains, const std::vector<std::siz
 }
 
 
-closures::NusseltState GrainHeat::stateOf(const ::nscd::Grains& grains, const FluidAtGrains& at, std::size_t i) const
+closures::NusseltState GrainHeat::stateOf(const Vec3& velocity, scalar diameter, const FluidAtGrains& at, std::size_t i) const
 {
-    const scalar slip = (at.velocity[i] - grains.velocity[i]).norm(), viscosity = at.viscosity[i];
+    const scalar slip = (at.velocity[i] - velocity).norm(), viscosity = at.viscosity[i];
     return
     {
-        fluid_.rho().value()*slip*2*grains.radius[i]/viscosity,
+        fluid_.rho().value()*slip*diameter/viscosity,
         viscosity*settings_.fluid.heatCapacity/settings_.fluid.conductivity,
         at.fluidFraction[i]
     };
 }
 
 
-std::vector<scalar> GrainHeat::conductances(const ::nscd::Grains& grains, const FluidAtGrains& at, scalar deltaT)
+std::vector<scalar> GrainHeat::conductances
+(
+    const ::nscd::Grains& grains, const std::vector<scalar>& realRadius, const FluidAtGrains& at, scalar deltaT
+)
 {
     std::vector<scalar> conductance(grains.nOwned);
     scalar biot = 0;
     for (std::size_t i = 0; i < conductance.size(); ++i)
     {
-        const scalar d = 2*grains.radius[i];
-        const scalar h = law_.law(stateOf(grains, at, i))*settings_.fluid.conductivity/d;
-        const scalar whole = h*constant::mathematical::pi*d*d;
+        const scalar d = 2*realRadius[i];
+        const scalar h = law_.law(stateOf(grains.velocity[i], d, at, i))*settings_.fluid.conductivity/d;
+        const scalar whole = pow3(grains.radius[i]/realRadius[i])*h*constant::mathematical::pi*d*d;
         const GrainHeatProperties& properties = propertiesOf(grains, i);
         conductance[i] = properties.isHeld ? whole : closures::conductanceOverStep(whole, heatCapacityOf(settings_, grains, i), deltaT);
         if (properties.conductivity > 0) biot = std::max(biot, h*d/(6*properties.conductivity));
@@ -181,10 +184,11 @@ void GrainHeat::takeUp
 
 void GrainHeat::solve
 (
-    const ::nscd::Grains& grains, const FluidAtGrains& at, const GrainMapping& mapping, const GrainsAtHome& atHome, scalar deltaT
+    const ::nscd::Grains& grains, const std::vector<scalar>& realRadius, const FluidAtGrains& at, const GrainMapping& mapping,
+    const GrainsAtHome& atHome, scalar deltaT
 )
 {
-    const std::vector<scalar> conductance = conductances(grains, at, deltaT);
+    const std::vector<scalar> conductance = conductances(grains, realRadius, at, deltaT);
     handOver(conductance, mapping, atHome);
     balance_.solved(energy_.solve());
     std::vector<scalar> fluid;

@@ -4,6 +4,7 @@
 // Reading sources that let grains in.
 #include "input/scene/entryReader.hpp"
 
+#include "input/scene/coarseReader.hpp"
 #include "input/scene/functionReader.hpp"
 #include "input/scene/materialReader.hpp"
 #include "input/scene/regionReader.hpp"
@@ -24,8 +25,14 @@ nscd::ScalarOfTime amountOf(const nscd::ScalarOfTime& rate, double start, double
     return [=](double time) { return integral(std::clamp(time, start, start + duration)) - integral(start); };
 }
 
+/// The amount of bodies that an amount of real grains makes.
+nscd::ScalarOfTime inBodies(const nscd::ScalarOfTime& amount, double realGrains)
+{
+    return [=](double time) { return amount(time)/realGrains; };
+}
+
 /// `rate` [1/s] or `massRate` [kg/s], functions of time.
-void readRate(const CheckedEntries& given, nscd::EntrySource& entry)
+void readRate(const CheckedEntries& given, const Surroundings& around, nscd::EntrySource& entry)
 {
     entry.isMass = given.found("massRate");
     if (entry.isMass && given.found("rate")) given.reject("massRate", "stands beside rate", "one of the two");
@@ -36,7 +43,8 @@ void readRate(const CheckedEntries& given, nscd::EntrySource& entry)
     const double duration = given.number("duration", above(0, unit::time), largestNumber);
     if (!(rate(start) >= 0.0)) given.reject(keyword, "is below zero at the start", ">= 0");
     entry.amount = amountOf(rate, start, duration);
-    if (given.found("number")) entry.number = given.integer("number", 1);
+    if (!entry.isMass && entry.coarseGraining > 1.0) entry.amount = inBodies(entry.amount, nscd::grainsInParcel(entry.coarseGraining, around.shape.dimensions));
+    if (given.found("number")) entry.number = bodiesOf(given.integer("number", 1), entry.coarseGraining, around, given, "number");
 }
 
 /// A vector, or the word `fluid`.
@@ -61,9 +69,10 @@ void readEntry(const Dictionary& dict, const std::string& name, const Surroundin
     entry.material = readMaterialOfGrains(given, scene.materials);
     entry.density = scene.materials.density[entry.material];
     given.require("region", "a dictionary, region { ... }");
-    entry.sizes = readSizes(given, around);
+    entry.coarseGraining = readCoarseGraining(given, around, scene);
+    entry.sizes = nscd::scaledSizes(readSizes(given, around), entry.coarseGraining);
     entry.region = readEntryRegion(given, "region", around, 0.5*entry.sizes.largest);
-    readRate(given, entry);
+    readRate(given, around, entry);
     readVelocity(given, around, entry);
     entry.omega = given.vec("omega", unit::rate, Vec3::Zero());
     checkNormalToPlane(given, "omega", entry.omega, around.shape.emptyAxis);

@@ -4,6 +4,7 @@
 // Reading fillings.
 #include "input/scene/fillingReader.hpp"
 
+#include "input/scene/coarseReader.hpp"
 #include "input/scene/regionReader.hpp"
 #include "input/scene/sizeReader.hpp"
 
@@ -53,10 +54,10 @@ void readLooseFraction(const CheckedEntries& given, const Surroundings& around, 
     given.reject("solidFraction", "is more than grains of one size reach at random", textOf("up to ", most, "; for more, packing { solidFraction ", filling.amount, "; }"));
 }
 
-void readAmount(const CheckedEntries& given, const Surroundings& around, nscd::FillingSource& filling)
+void readAmount(const CheckedEntries& given, const Surroundings& around, double coarseGraining, nscd::FillingSource& filling)
 {
     const std::string keyword = amountKeyword(given);
-    if (keyword == "number") filling.amount = given.integer("number", 1);
+    if (keyword == "number") filling.amount = double(bodiesOf(given.integer("number", 1), coarseGraining, around, given, "number"));
     if (keyword == "mass") filling.amount = given.number("mass", above(0, unit::mass));
     if (keyword == "solidFraction") readLooseFraction(given, around, filling);
     if (keyword == "packing") filling.amount = readPacking(given, around);
@@ -92,9 +93,9 @@ void readFilling(const CheckedEntries& given, const MaterialTable& materials, co
     filling.region = readRegion(given, "region", around);
     checkPeriods(given, filling.region, around.box);
     if (!(filling.region.volume > 0.0)) given.reject("region", "is flat", "a region with a volume");
-    filling.sizes = readSizes(given, around);
+    filling.sizes = nscd::scaledSizes(readSizes(given, around), source.coarseGraining);
     filling.density = materials.density[source.material];
-    readAmount(given, around, filling);
+    readAmount(given, around, source.coarseGraining, filling);
     filling.seed = static_cast<std::uint64_t>(given.integer("seed", 0, 1));
     source.amountPlace = given.place(amountKeyword(given));
     if (fewestGrains(filling, around.shape) > mostGrains)

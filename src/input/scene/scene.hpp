@@ -49,6 +49,7 @@ struct GrainSource
     std::string time;                  ///< written time of another case, a number or latestTime
     Place timePlace;
     double diameter = 0.0;             ///< [m] of positionsFile
+    double coarseGraining = 1.0;       ///< diameter of a body, a parcel, over that of the real grains it stands for; sizes here are the bodies'
     int material = 0;
     Vec3 velocity = Vec3::Zero();      ///< [m/s]
     Vec3 omega = Vec3::Zero();         ///< [rad/s]
@@ -63,6 +64,13 @@ struct DrivenGroup
     nscd::DrivenGrains grains;
 };
 
+/// Grains as another run has written them.
+struct WrittenGrains
+{
+    nscd::Grains grains;
+    std::vector<double> coarseGraining = {};   ///< of each; empty: all are real
+};
+
 struct Scene
 {
     MaterialTable materials;
@@ -71,6 +79,7 @@ struct Scene
     std::vector<Place> wallPlaces;     ///< of their patches
     Words notes;                       ///< what the log should say of them
     std::vector<GrainSource> sources;
+    bool hasCoarseGrains = false;      ///< whether a source names `coarseGraining`
     std::vector<nscd::EntrySource> entries;
     std::vector<Place> entryPlaces;    ///< of their regions
     std::vector<DrivenGroup> driven;
@@ -94,7 +103,7 @@ using ReadEntryRegion = std::function<nscd::EntryRegion(const CheckedEntries&, c
 using ReadSizes = std::function<nscd::SizeDistribution(const CheckedEntries&)>;
 
 /// The grains of a written time, in the order of their identities, as they were.
-using GrainsOfTime = std::function<nscd::Grains(const GrainSource&, const MaterialTable&)>;
+using GrainsOfTime = std::function<WrittenGrains(const GrainSource&, const MaterialTable&)>;
 
 /// What a program tells the readers: of the space that grains live in, and of what it can do.
 struct Surroundings
@@ -108,6 +117,7 @@ struct Surroundings
     bool sleepsByDefault = true;       ///< grains at rest, where `sleep` is not given
     bool hasClumps = true;
     bool hasFluid = false;             ///< whether grains may take the velocity of one when they enter
+    bool hasCoarseGrains = false;      ///< whether bodies may stand for several real grains
 
     // What the program alone knows, by the word that stands for it.
     std::map<std::string, ReadEntryRegion> entryRegions = {};

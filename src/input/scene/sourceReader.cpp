@@ -5,6 +5,7 @@
 #include "input/scene/sourceReader.hpp"
 
 #include "input/scene/clumpReader.hpp"
+#include "input/scene/coarseReader.hpp"
 #include "input/scene/entryReader.hpp"
 #include "input/scene/fillingReader.hpp"
 #include "input/scene/functionReader.hpp"
@@ -61,7 +62,7 @@ std::array<int, 3> readCount(const CheckedEntries& given, const Vec3& extent, co
     return {static_cast<int>(count[0]), static_cast<int>(count[1]), static_cast<int>(count[2])};
 }
 
-nscd::GrainLattice readLattice(const CheckedEntries& given, const Surroundings& around)
+nscd::GrainLattice readLattice(const CheckedEntries& given, const Surroundings& around, double coarseGraining)
 {
     nscd::GrainLattice lattice{};
     const std::array<Vec3, 2> corners = given.twoVecs("box", unit::length);
@@ -72,7 +73,7 @@ nscd::GrainLattice readLattice(const CheckedEntries& given, const Surroundings& 
         if (around.isEmpty(k)) lattice.lower[k] = lattice.upper[k] = 0.0;
         else if (!(corners[1][k] > corners[0][k])) given.reject("box", "is empty", "(lower corner) (upper corner)");
     }
-    lattice.diameter = given.number("diameter", above(0, unit::length));
+    lattice.diameter = coarseGraining*given.number("diameter", above(0, unit::length));
     lattice.count = readCount(given, lattice.upper - lattice.lower, around);
     lattice.spread = given.number("spread", Range{0, 1, true, false}, 0.0);
     lattice.jitter = given.number("jitter", between(0, 1), 0.0);
@@ -80,24 +81,26 @@ nscd::GrainLattice readLattice(const CheckedEntries& given, const Surroundings& 
     return lattice;
 }
 
-GrainSource readSource(const Dictionary& dict, const std::string& type, const MaterialTable& materials, const Surroundings& around, const char* usualMotion)
+GrainSource readSource(const Dictionary& dict, const std::string& type, const Surroundings& around, const char* usualMotion, Scene& scene)
 {
+    const MaterialTable& materials = scene.materials;
     const CheckedEntries given(dict);
     GrainSource source;
     source.place = dict.place;
     given.found("type");
     source.type = type;
+    source.coarseGraining = readCoarseGraining(given, around, scene);
     source.material = readMaterialOfGrains(given, materials);
     source.velocity = given.vec("velocity", unit::velocity, Vec3::Zero());
     source.omega = given.vec("omega", unit::rate, Vec3::Zero());
     checkInPlane(given, "velocity", source.velocity, around.shape.emptyAxis);
     checkNormalToPlane(given, "omega", source.omega, around.shape.emptyAxis);
     source.isFixed = given.choice("motion", {"free", "fixed"}, usualMotion) == std::string("fixed");
-    if (source.type == "lattice") source.lattice = readLattice(given, around);
+    if (source.type == "lattice") source.lattice = readLattice(given, around, source.coarseGraining);
     else if (source.type == "filling") readFilling(given, materials, around, mostGrains(around.nRanks), source);
     else source.file = given.text("file");
     source.filePlace = given.place("file");
-    if (source.type == "positionsFile") source.diameter = given.number("diameter", above(0, unit::length));
+    if (source.type == "positionsFile") source.diameter = source.coarseGraining*given.number("diameter", above(0, unit::length));
     if (source.type != "filling") source.clump = readClump(given, source, around);
     given.finish();
     return source;
@@ -131,7 +134,7 @@ void addSource(const Dictionary& dict, const std::string& name, const Surroundin
     if (around.grainsOfTime) types.push_back("time");
     const std::string type = given.choice("type", types);
     if (type == "time") scene.sources.push_back(readWrittenTime(dict, usualMotion));
-    else if (type != "entering") scene.sources.push_back(readSource(dict, type, scene.materials, around, usualMotion.c_str()));
+    else if (type != "entering") scene.sources.push_back(readSource(dict, type, around, usualMotion.c_str(), scene));
     else if (usualMotion == "fixed") given.reject("type", "lets grains in that motion fixed would hold", "motion fixed; in the sources that are to be held");
     else readEntry(dict, name, around, scene);
 }

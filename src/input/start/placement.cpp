@@ -91,6 +91,12 @@ public:
         turns_(nscd::randomNumbers(source.clump.seed))
     {}
 
+    /// Of the grains that come next.
+    void setFactor(double factor) const
+    {
+        if (stream_.tools.factors) stream_.tools.factors->setFrom(stream_.nextId(), factor);
+    }
+
     void addLattice()
     {
         const nscd::GrainLattice& lattice = source_.lattice;
@@ -113,7 +119,7 @@ public:
         stream_.reserve(rows.size());
         for (const TableRow& row : rows)
         {
-            add(row.position, row.diameter, row.material.empty() ? source_.material : materialOf(row, path));
+            add(row.position, source_.coarseGraining*row.diameter, row.material.empty() ? source_.material : materialOf(row, path));
         }
     }
 
@@ -135,11 +141,13 @@ public:
     /// As they were written, but for their numbers.
     void addWritten()
     {
-        const nscd::Grains written = around_.grainsOfTime(source_, materials_);
+        const WrittenGrains all = around_.grainsOfTime(source_, materials_);
+        const nscd::Grains& written = all.grains;
         stream_.reserve(written.size());
         for (std::size_t i = 0; i < written.size(); ++i)
         {
             checkInPlane(written, i);
+            if (!all.coarseGraining.empty()) setFactor(all.coarseGraining[i]);
             add(written.position[i], 2.0*written.radius[i], written.material[i]);
             nscd::Grains& grains = stream_.batch;
             grains.velocity.back() = written.velocity[i];
@@ -227,6 +235,18 @@ private:
 
 } // namespace
 
+void PlacedFactors::setFrom(std::int64_t number, double factor)
+{
+    if (of(number) != factor) steps_.push_back({number, factor});
+}
+
+double PlacedFactors::of(std::int64_t number) const
+{
+    const auto isBefore = [](std::int64_t one, const Step& step) { return one < step.first; };
+    const auto next = std::upper_bound(steps_.begin(), steps_.end(), number, isBefore);
+    return next == steps_.begin() ? 1.0 : std::prev(next)->factor;
+}
+
 void placeGrains(const Scene& scene, const Surroundings& around, const PlacementTools& tools, const GrainTaker& take)
 {
     const auto isFilling = [](const GrainSource& source) { return source.type == "filling"; };
@@ -236,6 +256,7 @@ void placeGrains(const Scene& scene, const Surroundings& around, const Placement
     for (const GrainSource& source : scene.sources)
     {
         Placement placement(scene, around, source, stream);
+        placement.setFactor(source.coarseGraining);
         if (source.type == "lattice") placement.addLattice();
         if (source.type == "positionsFile") placement.addPositions();
         if (source.type == "table") placement.addTable();

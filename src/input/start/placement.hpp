@@ -12,6 +12,26 @@
 namespace input
 {
 
+/// The coarse-graining factors of grains that are numbered one after the other.
+class PlacedFactors
+{
+public:
+    /// All grains from a number on, which is not below those before.
+    void setFrom(std::int64_t number, double factor);
+
+    double of(std::int64_t number) const;
+    bool areAllOne() const { return steps_.empty(); }
+
+private:
+    struct Step
+    {
+        std::int64_t first;
+        double factor;
+    };
+
+    std::vector<Step> steps_;   ///< where the factor changes, from 1
+};
+
 /// What differs between programs that place grains.
 struct PlacementTools
 {
@@ -20,6 +40,7 @@ struct PlacementTools
     std::size_t grainsInBatch = std::numeric_limits<std::size_t>::max();   ///< clumps need all grains in one
     const nscd::Walls* walls = nullptr;   ///< that fillings keep off; left out: those of the scene
     std::function<void(const std::string&)> tell = [](const std::string&) {};   ///< what the log should say of fillings
+    PlacedFactors* factors = nullptr;     ///< of coarse grains; left out: there are none
 };
 
 /// Takes the next grains of a scene.

@@ -17,7 +17,8 @@ struct EntrySource
 {
     std::string name;
     EntryRegion region;                     ///< of their centers
-    SizeDistribution sizes;
+    SizeDistribution sizes;                 ///< of the bodies that enter: parcels where grains are coarse
+    double coarseGraining = 1.0;            ///< diameter of a body over that of the real grains it stands for
     int material = 0;
     double density = 0.0;                   ///< [kg/m3]
     Vec3 velocity = Vec3::Zero();           ///< [m/s]

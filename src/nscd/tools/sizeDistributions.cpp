@@ -69,6 +69,11 @@ SizeDistribution oneSize(double diameter)
     return {diameter, diameter, [diameter](const RandomNumbers&) { return diameter; }};
 }
 
+SizeDistribution scaledSizes(const SizeDistribution& sizes, double factor)
+{
+    return {factor*sizes.smallest, factor*sizes.largest, [=](const RandomNumbers& random) { return factor*sizes.draw(random); }};
+}
+
 SizeDistribution normalSizes(double mean, double deviation, double smallest, double largest)
 {
     checkShare(normalShare((smallest - mean)/deviation, (largest - mean)/deviation));

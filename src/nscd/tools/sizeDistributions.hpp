@@ -18,6 +18,12 @@ struct SizeDistribution
 
 SizeDistribution oneSize(double diameter);
 
+/// The same with all diameters multiplied by a factor.
+SizeDistribution scaledSizes(const SizeDistribution& sizes, double factor);
+
+/// Real grains that a parcel stands for whose diameter is `factor` times theirs: those of its volume, factor^3 spheres or factor^2 discs.
+inline double grainsInParcel(double factor, int dimensions) { return dimensions == 2 ? factor*factor : factor*factor*factor; }
+
 /// Equation: density ~ exp(-(d - mean)^2/(2 deviation^2)) between smallest and largest
 /// Errors:   std::invalid_argument where fewer than one in a thousand lie between them
 SizeDistribution normalSizes(double mean, double deviation, double smallest, double largest);

@@ -96,7 +96,7 @@ TEST(ExampleFile, showsEveryKeyword)
     const dictionary example = exampleDict();
     const std::vector<std::string> paths =
     {
-        "", "materials/glass", "contacts/default", "contacts/glass-steel", "forces", "forces/drag",
+        "", "materials/glass", "contacts/default", "contacts/glass-steel", "forces", "forces/drag", "forces/field",
         "voidFraction", "timeStep", "solver", "parallel", "walls/shaker/motion"
     };
     for (const std::string& path : paths)
@@ -153,7 +153,12 @@ TEST(ExampleFile, statesTheDefaults)
     EXPECT_EQ(example.forces.drag.law, first.forces.drag.law);
     EXPECT_EQ(example.forces.drag.weight, first.forces.drag.weight);
     EXPECT_EQ(example.forces.drag.isPolydisperse, first.forces.drag.isPolydisperse);
-    for (const auto& [force, given] : example.forces.switches) EXPECT_EQ(given.isOn, first.forces.isOn(force)) << force;
+    for (const auto& [force, given] : example.forces.switches)
+    {
+        if (force == "field") continue;
+        EXPECT_EQ(given.isOn, first.forces.isOn(force)) << force;
+    }
+    EXPECT_TRUE(example.forces.field.acceleration(1).isZero(0) && example.forces.field.forceDensity(1).isZero(0));
     EXPECT_EQ(example.time.maxGrainDisplacement, first.time.maxGrainDisplacement);
     EXPECT_EQ(example.time.subCycles, first.time.subCycles);
     EXPECT_EQ(example.maxInitialOverlap, first.maxInitialOverlap);
@@ -166,6 +171,7 @@ TEST(ExampleFile, statesTheDefaults)
     EXPECT_EQ(bed.velocity, first.sources.at(0).velocity);
     EXPECT_EQ(bed.omega, first.sources.at(0).omega);
     EXPECT_EQ(bed.isFixed, first.sources.at(0).isFixed);
+    EXPECT_EQ(bed.coarseGraining, first.sources.at(0).coarseGraining);
     const nscd::GrainLattice& lattice = example.sources.at(2).lattice;
     EXPECT_EQ(lattice.spread, nscd::GrainLattice().spread);
     EXPECT_EQ(lattice.jitter, nscd::GrainLattice().jitter);

@@ -129,6 +129,27 @@ TEST(FluidAtGrains, meanDiameterIsThatOfTheGrainsInTheCell)
     }
 }
 
+/// Parcels of 8 to 125 grains: the mean is that of these grains, sum of n d^3 over sum of n d^2.
+TEST(FluidAtGrains, meanDiameterIsThatOfTheRealGrainsOfParcels)
+{
+    LinearFlow flow;
+    std::vector<scalar> factor(flow.grains.size());
+    for (std::size_t i = 0; i < factor.size(); ++i) factor[i] = scalar(2 + i % 4);
+    sampleFluid(flow.box.fluid(), nullptr, *flow.mapping, GrainsAtHome(), reads::meanDiameter, flow.at, &factor);
+    std::map<label, std::pair<scalar, scalar>> sums;
+    for (std::size_t i = 0; i < factor.size(); ++i)
+    {
+        const scalar d = 0.4/factor[i], n = factor[i]*factor[i]*factor[i];
+        sums[flow.mapping->cells()[i]].first += n*d*d*d;
+        sums[flow.mapping->cells()[i]].second += n*d*d;
+    }
+    for (std::size_t i = 0; i < factor.size(); ++i)
+    {
+        const auto& [cubes, squares] = sums[flow.mapping->cells()[i]];
+        EXPECT_NEAR(flow.at.meanDiameter[i]/(cubes/squares), 1, 1e-14);
+    }
+}
+
 // Grains that lie in many cells: of equal ones every mean is theirs.
 TEST(FluidAtGrains, meanDiameterOfEqualGrainsIsTheirs)
 {

@@ -146,7 +146,7 @@ TEST_F(Placements, takeGrainsOfAWrittenTime)
             grains.orientation.back() = nscd::Quaternion(0, 1, 0, 0);
             grains.isFixed.back() = k == 3;
         }
-        return grains;
+        return input::WrittenGrains{grains};
     };
     const std::string source = "grains { type time; case old; time 0.5; }";
     input::PlacementTools tools;
@@ -165,6 +165,44 @@ TEST_F(Placements, takeGrainsOfAWrittenTime)
     EXPECT_THROW(read(source, around()), input::InputError);
     reads.shape.emptyAxis = 2;
     EXPECT_THROW(batches(source, tools, reads), input::InputError);
+}
+
+/// Diameters are those of real grains, places those of parcels; which are which is told by their numbers.
+TEST_F(Placements, makeParcelsOfSourcesThatAreCoarse)
+{
+    write("table.txt", "0.1 0.2 0.3 0.02\n");
+    write("list.txt", "((0.7 0.1 0.2))");
+    input::Surroundings coarse = around();
+    coarse.hasCoarseGrains = true;
+    coarse.grainsOfTime = [](const input::GrainSource&, const input::MaterialTable&)
+    {
+        input::WrittenGrains written;
+        for (int k = 0; k < 3; ++k) written.grains.add({0.1*k, 0, 0}, 0.01, 2500, 0, k);
+        written.coarseGraining = {3, 3, 1};
+        return written;
+    };
+    const std::string sources =
+        "grains { a { type lattice; box (0 0 0) (1 1 1); count (2 1 1); diameter 0.1; material glass; coarseGraining 2; }\n"
+        " b { type table; file table.txt; material glass; coarseGraining 1.5; } c { type positionsFile; file list.txt; diameter 0.05; material glass; coarseGraining 4; }"
+        " d { type time; case old; time 0.5; } e { type filling; region { type box; box (2 0 0) (3 1 1); } number 81; diameter 0.1; material glass; coarseGraining 2; }"
+        " f { type entering; region { type box; box (0 0 0) (1 1 1); } rate 80; number 17; diameter 0.1; material glass; coarseGraining 2; } }";
+    input::PlacementTools tools;
+    input::PlacedFactors factors;
+    tools.factors = &factors;
+    const nscd::Grains grains = batches(sources, tools, coarse).at(0);
+    ASSERT_EQ(grains.size(), 17u);
+    const std::vector<double> diameters = {0.2, 0.2, 0.03, 0.2, 0.02, 0.02, 0.02, 0.2}, expected = {2, 2, 1.5, 4, 3, 3, 1, 2};
+    for (std::size_t i = 0; i < diameters.size(); ++i)
+    {
+        EXPECT_NEAR(2*grains.radius[i], diameters[i], 1e-15) << i;
+        EXPECT_EQ(factors.of(grains.id[i]), expected[i]) << i;
+    }
+    const input::Scene scene = read(sources, coarse);
+    EXPECT_TRUE(scene.hasCoarseGrains);
+    EXPECT_EQ(scene.entries.at(0).number, 2);
+    EXPECT_NEAR(scene.entries.at(0).amount(1), 10, 1e-9);
+    EXPECT_EQ(scene.entries.at(0).sizes.largest, 0.2);
+    EXPECT_THROW(read(sources, around()), input::InputError) << "of a program without parcels";
 }
 
 TEST_F(Placements, refuseClumpsWhereThereAreNone)

@@ -108,6 +108,8 @@ ForceSettings readForces(const CheckedEntries& top, const input::Surroundings& a
     const CheckedEntries given(dict);
     ForceSettings settings;
     settings.drag = readDrag(given, around);
+    settings.field = readField(given, around);
+    settings.switches["field"] = {given.found("field"), given.place("field")};
     settings.switches["drag"] = {settings.drag.isOn(), given.place("drag")};
     for (const auto& [name, byDefault] : forceSwitches) settings.switches[name] = {given.flag(name, byDefault), given.place(name)};
     settings.switches["modelB"] = {given.choice("model", {"A", "B"}, "A") == "B", given.place("model")};
@@ -263,6 +265,7 @@ input::Surroundings foamSurroundings(const fileName& casePath)
     around.nRanks = Pstream::nProcs();
     around.hasClumps = false;
     around.sleepsByDefault = false;
+    around.hasCoarseGrains = true;
     around.sizeModels = foamSizeModels();
     around.grainsOfTime = [casePath](const input::GrainSource& source, const input::MaterialTable& materials)
     {

@@ -93,6 +93,12 @@ public:
         for (const fileName& part : time.parts) folders_.push_back(part/time.name/"lagrangian/grains");
     }
 
+    /// Whether a field was written that not every run has.
+    bool has(const word& field) const
+    {
+        return std::any_of(folders_.begin(), folders_.end(), [&](const fileName& folder) { return isFile(folder/field); });
+    }
+
     template<class Type>
     Field<Type> read(const word& field) const
     {
@@ -160,6 +166,12 @@ void checkGrain(const point& x, scalar d, label id, const input::GrainSource& so
     throw InputError({source.filePlace, messageText("holds a damaged grain, ", id), messageText("d ", d, ", position ", x), "finite positions and positive diameters"});
 }
 
+scalar factorOf(scalar written, label id, const input::GrainSource& source)
+{
+    if (written >= 1 && written < VGREAT) return written;
+    throw InputError({source.filePlace, messageText("holds a damaged grain, ", id), messageText("coarseGraining ", written), "numbers of 1 and more"});
+}
+
 /// Indices of the grains, ascending in their identities.
 labelList byIdentity(const labelUList& ids)
 {
@@ -168,7 +180,7 @@ labelList byIdentity(const labelUList& ids)
     return order;
 }
 
-nscd::Grains readCloud(const WrittenTime& time, const input::GrainSource& source, const input::MaterialTable& materials)
+input::WrittenGrains readCloud(const WrittenTime& time, const input::GrainSource& source, const input::MaterialTable& materials)
 {
     const dictionary state = stateOf(time);
     const wordList names = state.get<wordList>("materials");
@@ -177,10 +189,13 @@ nscd::Grains readCloud(const WrittenTime& time, const input::GrainSource& source
     const Field<vector> x = cloud.read<vector>("position"), u = cloud.read<vector>("U"), omega = cloud.read<vector>("omega");
     const Field<vector> axis = cloud.read<vector>("orientation");
     const Field<scalar> d = cloud.read<scalar>("d"), w = cloud.read<scalar>("orientationW");
+    const Field<scalar> factor = cloud.has("coarseGraining") ? cloud.read<scalar>("coarseGraining") : Field<scalar>();
     checkNumber(id.size(), state, source);
-    nscd::Grains grains;
+    input::WrittenGrains written;
+    nscd::Grains& grains = written.grains;
     for (const label i : byIdentity(id))
     {
+        if (factor.size()) written.coarseGraining.push_back(factorOf(factor[i], id[i], source));
         checkGrain(x[i], d[i], id[i], source);
         const int m = materialOf(material[i], names, source, materials);
         grains.add(toVec3(x[i]), 0.5*d[i], materials.density[m], m, id[i]);
@@ -189,13 +204,13 @@ nscd::Grains readCloud(const WrittenTime& time, const input::GrainSource& source
         grains.orientation.back() = nscd::Quaternion(w[i], axis[i].x(), axis[i].y(), axis[i].z()).normalized();
         grains.isFixed.back() = fixed[i] != 0;
     }
-    return grains;
+    return written;
 }
 
 } // namespace
 
 
-nscd::Grains grainsOfTime(const fileName& casePath, const input::GrainSource& source, const input::MaterialTable& materials)
+input::WrittenGrains grainsOfTime(const fileName& casePath, const input::GrainSource& source, const input::MaterialTable& materials)
 {
     const input::WithoutTraps traps;
     const fileName path = source.file, folder = path.isAbsolute() ? path : casePath/path;

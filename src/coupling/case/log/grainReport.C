@@ -81,8 +81,15 @@ const Column heatColumns[] =
     {"grainTMax", "K", [](const StepRow& r) { return double(r.heat.grainMax); }}
 };
 
+const Column parcelColumns[] =
+{
+    {"realGrains", "1", [](const StepRow& r) { return double(r.realGrains); }},
+    {"realExited", "1", [](const StepRow& r) { return double(r.realExited); }},
+    {"realEntered", "1", [](const StepRow& r) { return double(r.realEntered); }}
+};
+
 template<class Part>
-void writeLine(std::ostream& os, bool hasHeat, const Part& part)
+void writeLine(std::ostream& os, bool hasHeat, bool hasParcels, const Part& part)
 {
     const char* separator = "";
     const auto write = [&](const Column& column)
@@ -93,24 +100,26 @@ void writeLine(std::ostream& os, bool hasHeat, const Part& part)
     };
     for (const Column& column : columns) write(column);
     if (hasHeat) for (const Column& column : heatColumns) write(column);
+    if (hasParcels) for (const Column& column : parcelColumns) write(column);
     os << '\n' << std::flush;
 }
 
 } // namespace
 
 
-GrainReport::GrainReport(const Time& time, bool hasHeat)
+GrainReport::GrainReport(const Time& time, bool hasHeat, bool hasParcels)
 :
     path_(time.globalPath()/"postProcessing"/"grains"/time.timeName(time.startTime().value())/"report.csv"),
-    hasHeat_(hasHeat)
+    hasHeat_(hasHeat),
+    hasParcels_(hasParcels)
 {
     if (!Pstream::master()) return;
     mkDir(path_.path());
     file_.open(path_);
     file_.precision(std::numeric_limits<double>::max_digits10);
     file_ << "# units: ";
-    writeLine(file_, hasHeat_, [&](const Column& column) { file_ << column.unit; });
-    writeLine(file_, hasHeat_, [&](const Column& column) { file_ << column.name; });
+    writeLine(file_, hasHeat_, hasParcels_, [&](const Column& column) { file_ << column.unit; });
+    writeLine(file_, hasHeat_, hasParcels_, [&](const Column& column) { file_ << column.name; });
     check();
 }
 
@@ -118,7 +127,7 @@ GrainReport::GrainReport(const Time& time, bool hasHeat)
 void GrainReport::write(const StepRow& row)
 {
     if (!Pstream::master()) return;
-    writeLine(file_, hasHeat_, [&](const Column& column) { file_ << column.value(row); });
+    writeLine(file_, hasHeat_, hasParcels_, [&](const Column& column) { file_ << column.value(row); });
     check();
 }
 

@@ -154,6 +154,7 @@ void ProgressLog::step(const StepRow& row, const FluidSummary& fluid)
             solve.residualRms, solve.residualMax, solve.forceError, row.report.overlapMax, row.report.overlapUncorrected
         ).c_str() << nl;
     if (solve.newtonSteps > 0) os_ << formatted("  direct method: %d Newton steps", solve.newtonSteps).c_str() << nl;
+    if (row.realGrains > 0) os_ << formatted("  %lld parcels of %.12g real grains", static_cast<long long>(row.grains), row.realGrains).c_str() << nl;
     if (row.report.asleep > 0) os_ << formatted("  %zu grains asleep", row.report.asleep).c_str() << nl;
     warn(row, fluid);
     if (exitedNow > 0) os_ << formatted("  %lld grains left through exits", static_cast<long long>(exitedNow)).c_str() << nl;

@@ -39,12 +39,25 @@ string describeGrains(const GrainTotals& grains, const nscd::GrainShape& shape)
     );
 }
 
-string describeEntry(const nscd::EntrySource& entry)
+/// As 1000 parcels of 125 grains = 125000 grains of diameter 0.001 to 0.001 m, 0.3 kg
+string describeReal(const GrainTotals& grains)
 {
+    const RealTotals& real = grains.real;
+    const std::string range = real.perGrainMin < real.perGrainMax ? formatted("%.9g to ", real.perGrainMin) : "";
     return formatted
     (
-        "%s, diameter %.4g to %.4g m, by %s%s", entry.name.c_str(), entry.sizes.smallest, entry.sizes.largest, entry.isMass ? "mass" : "number",
-        entry.takesFluidVelocity ? ", at the fluid's velocity" : ""
+        "%lld parcels of %s%.9g grains = %.12g grains of diameter %.4g to %.4g m, %.6g kg",
+        static_cast<long long>(grains.number), range.c_str(), real.perGrainMax, real.number, real.diameterMin, real.diameterMax, grains.mass
+    );
+}
+
+string describeEntry(const nscd::EntrySource& entry, const nscd::GrainShape& shape)
+{
+    const double inOne = nscd::grainsInParcel(entry.coarseGraining, shape.dimensions);
+    return formatted
+    (
+        "%s, diameter %.4g to %.4g m, by %s%s%s", entry.name.c_str(), entry.sizes.smallest, entry.sizes.largest, entry.isMass ? "mass" : "number",
+        entry.takesFluidVelocity ? ", at the fluid's velocity" : "", inOne > 1 ? formatted(", parcels of %.9g grains", inOne).c_str() : ""
     );
 }
 
@@ -102,8 +115,9 @@ void logScene
     };
     os << "Case" << nl;
     line("grains", describeGrains(grains, scene.space.shape));
+    if (grains.real.number > 0) line("parcels", describeReal(grains));
     if (isRestart) line("", "from time " + mesh.time().timeName() + "; `grains` of grainProperties are for a new start only");
-    for (const nscd::EntrySource& entry : properties.entries) line("entering", describeEntry(entry));
+    for (const nscd::EntrySource& entry : properties.entries) line("entering", describeEntry(entry, scene.space.shape));
     line("walls", describeWalls(scene, mesh));
     if (areWallsUnseen(properties)) line("", "those of `walls` and `planes` are for the grains alone: the fluid flows through them");
     line("exits", namesOf(scene.roles.ofRole(PatchRole::exit), mesh));

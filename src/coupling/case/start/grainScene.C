@@ -72,7 +72,8 @@ GrainScene makeGrainScene(const GrainProperties& properties, const polyMesh& mes
 
 nscd::Grains makeFirstGrains
 (
-    const GrainProperties& properties, const GrainScene& scene, const polyMesh& mesh, nscd::Exchange& exchange
+    const GrainProperties& properties, const GrainScene& scene, const polyMesh& mesh, nscd::Exchange& exchange,
+    input::PlacedFactors* factors
 )
 {
     nscd::Grains grains;
@@ -86,7 +87,7 @@ nscd::Grains makeFirstGrains
     input::Surroundings around = surroundingsIn(mesh);
     around.shape = scene.space.shape;
     const auto tell = [](const std::string& line) { Info<< line.c_str() << nl; };
-    const input::PlacementTools tools = {foamRandom, readFoamPositions, grainsInBatch, &scene.walls, tell};
+    const input::PlacementTools tools = {foamRandom, readFoamPositions, grainsInBatch, &scene.walls, tell, factors};
     toldByFoam([&] { input::placeGrains(properties, around, tools, keep); });
     homes.checkNoneOutside();
     checkGrains(grains, scene, properties, mesh, exchange);

@@ -6,6 +6,7 @@
 
 #include "coupling/step/forces/addedMass.H"
 #include "coupling/step/forces/drag.H"
+#include "coupling/step/forces/fieldForce.H"
 #include "coupling/step/forces/magnusLift.H"
 #include "coupling/step/forces/pressureForce.H"
 #include "coupling/step/forces/saffmanLift.H"
@@ -25,6 +26,7 @@ const std::vector<ForceRow>& forceTable()
     {
         // keyword            on if       and if the case has                             made by
         {"weight",            always,     needs::nothing,                                 forces::weight},
+        {"field",             switched,   needs::nothing,                                 forces::fieldForce},
         {"pressureGradient",  switched,   needs::fluid,                                   forces::pressureForce},
         {"viscous",           switched,   needs::fluid,                                   forces::viscousForce},
         {"addedMass",         switched,   needs::fluid,                                   forces::addedMass},  // drag reads its mass

@@ -94,3 +94,14 @@ TEST(SizeDistributions, refuseWhatCannotBeDrawn)
     EXPECT_THROW(nscd::tabulatedSizes({{1, 0}, {2, 0}}), std::invalid_argument);
     EXPECT_THROW(nscd::tabulatedSizes({{1, 1}, {2, -1}}), std::invalid_argument);
 }
+
+TEST(SizeDistributions, areScaledAsAWhole)
+{
+    const nscd::SizeDistribution sizes = nscd::normalSizes(2.0, 0.3, 1.5, 2.6), scaled = nscd::scaledSizes(sizes, 3.0);
+    EXPECT_EQ(scaled.smallest, 4.5);
+    EXPECT_DOUBLE_EQ(scaled.largest, 7.8);
+    const std::vector<double> one = sorted(sizes), three = sorted(scaled);
+    for (std::size_t k = 0; k < one.size(); k += 1000) EXPECT_DOUBLE_EQ(three[k], 3.0*one[k]);
+    EXPECT_EQ(nscd::grainsInParcel(5.0, 3), 125.0);
+    EXPECT_EQ(nscd::grainsInParcel(5.0, 2), 25.0);
+}
