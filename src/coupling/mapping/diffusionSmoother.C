@@ -77,7 +77,7 @@ DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const scalar length)
             borderTypes(mesh)
         )
     );
-    surfaceScalarField minusDiffusion("minusDiffusion", dimensionedScalar(dimArea, -area_)*mesh.magSf());
+    surfaceScalarField minusDiffusion("minusDiffusion", dimensionedScalar("diffusion", dimArea, -area_)*mesh.magSf());
     closeSliding(minusDiffusion);
     matrix_ = autoPtr<fvScalarMatrix>
     (
