@@ -12,12 +12,30 @@ namespace Foam
 namespace nscdCoupling
 {
 
+namespace
+{
+
+tmp<tensorField> inverseOf(const surfaceVectorField& normal)
+{
+    return inv(fvc::surfaceSum(normal*normal.mesh().Sf())().primitiveField());
+}
+
+} // End anonymous namespace
+
+
 FaceReconstruction::FaceReconstruction(const fvMesh& mesh)
 :
     mesh_(mesh),
     normal_("faceNormal", mesh.Sf()/mesh.magSf()),
-    inverse_(inv(fvc::surfaceSum(normal_*mesh.Sf())().primitiveField()))
+    inverse_(inverseOf(normal_))
 {}
+
+
+void FaceReconstruction::follow()
+{
+    normal_ = mesh_.Sf()/mesh_.magSf();
+    inverse_ = inverseOf(normal_);
+}
 
 
 tmp<volVectorField> FaceReconstruction::operator()(const surfaceScalarField& faceFlux) const

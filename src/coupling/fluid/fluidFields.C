@@ -6,6 +6,7 @@
 #include "coupling/fluid/rankPatches.H"
 
 #include "fvcFlux.H"
+#include "surfaceInterpolate.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace Foam
@@ -50,6 +51,23 @@ FluidFields::FluidFields(const fvMesh& mesh, const volScalarField& fluidFraction
 {
     mesh.setFluxRequired(pRgh.name());
     if (isStored(mesh, "bodyAcceleration")) bodyAccelerationOf(*this);
+}
+
+
+void keepFaceVelocity(FluidFields& fields, const volScalarField& fluidFraction)
+{
+    const fvMesh& mesh = fields.U.mesh();
+    const surfaceVectorField normal(mesh.Sf()/mesh.magSf());
+    tmp<surfaceVectorField> velocity(fvc::interpolate(fluidFraction*fields.U, "flux(HbyA)"));
+    velocity.ref() += normal*(fields.phi/mesh.magSf() - (normal & velocity()));
+    if (fields.faceVelocity.valid()) fields.faceVelocity() = velocity;
+    else fields.faceVelocity.reset(new surfaceVectorField("faceVelocity", velocity));
+}
+
+
+void fluxThroughMovedFaces(FluidFields& fields)
+{
+    fields.phi = fields.U.mesh().Sf() & fields.faceVelocity();
 }
 
 

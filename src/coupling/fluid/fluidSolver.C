@@ -5,6 +5,9 @@
 #include "coupling/fluid/fluidSolver.H"
 #include "coupling/fluid/rankPatches.H"
 
+#include "fvcMeshPhi.H"
+#include "linear.H"
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -60,6 +63,7 @@ FluidSolver::FluidSolver(fvMesh& mesh, GrainSources& sources, const dictionary& 
     pressure_(mesh, pimple_, p_, fields_.pRgh, meanFlowDict)
 {
     refuseConsistent(pimple_.dict());
+    if (mesh.dynamic()) keepFaceVelocity(fields_, sources.fluidFraction);
     fillAllRankPatches(mesh);
 }
 
@@ -67,6 +71,23 @@ FluidSolver::FluidSolver(fvMesh& mesh, GrainSources& sources, const dictionary& 
 void FluidSolver::solve()
 {
     while (nextOuterLoop()) solveOuterLoop();
+    if (mesh_.dynamic()) keepFaceVelocity(fields_, sources_.fluidFraction);
+}
+
+
+void FluidSolver::followMesh()
+{
+    hydrostatic_ = rho()*(g_ & mesh_.C());
+    pressure_.followMesh();
+    fields_.U.correctBoundaryConditions();
+    fluxThroughMovedFaces(fields_);
+}
+
+
+tmp<surfaceScalarField> FluidSolver::convectingFlux(const surfaceScalarField& absolute) const
+{
+    if (!mesh_.moving()) return zones_.relativeFlux(absolute, sources_.fluidFraction);
+    return absolute - linearInterpolate(sources_.fluidFraction)*fvc::meshPhi(fields_.U);
 }
 
 
@@ -87,7 +108,9 @@ void FluidSolver::solveWithGrains()
     const List<Border> borders(bordersOf(fields_));
     const GrainFaceTerms terms(sources_, fields_, rho(), borders);
 
-    const tmp<surfaceScalarField> convecting(zones_.relativeFlux(latest(fields_.phi, pimple_), sources_.fluidFraction));
+    // Of faces that have moved the flux of the step before says nothing.
+    const tmp<surfaceScalarField> flux(mesh_.moving() ? tmp<surfaceScalarField>(fields_.phi) : latest(fields_.phi, pimple_));
+    const tmp<surfaceScalarField> convecting(convectingFlux(flux()));
     const tmp<fvVectorMatrix> minusDivTau(turbulence_.minusDivTau(fields_.U, latest(fields_.U, pimple_)()));
     tmp<fvVectorMatrix> momentum(averagedMomentum(fields_, sources_, minusDivTau(), convecting(), options_));
     zones_.addCoriolis(sources_.fluidFraction, momentum.ref());
@@ -137,7 +160,7 @@ vector FluidSolver::whatGrainsGot(const fvVectorMatrix& momentum) const
 
 void FluidSolver::solvePlain()
 {
-    const tmp<surfaceScalarField> convecting(zones_.relativeFlux(fields_.phi, sources_.fluidFraction));
+    const tmp<surfaceScalarField> convecting(convectingFlux(fields_.phi));
     tmp<fvVectorMatrix> momentum(plainMomentum(fields_, turbulence_, convecting(), options_));
     zones_.addCoriolis(sources_.fluidFraction, momentum.ref());
     momentum.ref().relax();
@@ -160,9 +183,9 @@ void FluidSolver::solvePlain()
 // Turbulence is convected as momentum is.
 void FluidSolver::correctTurbulence()
 {
-    if (!zones_.any()) return turbulence_.correct();
+    if (!zones_.any() && !mesh_.moving()) return turbulence_.correct();
     const surfaceScalarField absolute("absoluteFlux", fields_.phi);
-    fields_.phi = zones_.relativeFlux(absolute, sources_.fluidFraction);
+    fields_.phi = convectingFlux(absolute);
     turbulence_.correct();
     fields_.phi = absolute;
 }
@@ -186,6 +209,7 @@ void FluidSolver::updateAbsolutePressure()
 
 CourantNumber FluidSolver::courantNumber() const
 {
+    if (mesh_.moving()) return nscdCoupling::courantNumber(convectingFlux(fields_.phi), sources_.fluidFraction);
     return nscdCoupling::courantNumber(fields_.phi, sources_.fluidFraction);
 }
 

@@ -5,6 +5,7 @@
 #include "coupling/fluid/grainFaceTerms.H"
 
 #include "fixedFluxPressureFvPatchScalarField.H"
+#include "fvcMeshPhi.H"
 #include "linear.H"
 #include "reverseLinear.H"
 #include "surfaceInterpolate.H"
@@ -68,6 +69,18 @@ tmp<surfaceScalarField> fluxOnTheWay(const volVectorField& cells)
     return fluxOf(cells) + (cells.mesh().Sf() & (meanOnTheWay(cells) - linearInterpolate(cells)));
 }
 
+// A wall that moves takes what is before it along, grains as well as fluid: together they fill the volume that it leaves.
+void carryAlongWalls(const GrainSources& sources, const FluidFields& fields, const List<Border>& borders, surfaceScalarField& carried)
+{
+    const tmp<surfaceScalarField> swept(fvc::meshPhi(fields.U));
+    forAll(borders, patchi)
+    {
+        if (borders[patchi] == Border::coupled || borders[patchi] == Border::open) continue;
+        const fvPatchScalarField& fluidFraction = sources.fluidFraction.boundaryField()[patchi];
+        carried.boundaryFieldRef()[patchi] = (1 - fluidFraction)*swept().boundaryField()[patchi];
+    }
+}
+
 tmp<surfaceScalarField> weightedMean(const volScalarField& cells, const autoPtr<ResponseTerms>& response)
 {
     if (!response.valid()) return meanOnTheWay(cells);
@@ -118,6 +131,7 @@ ResponseTerms::ResponseTerms
     mobility("mobilityFace", motionOnFaces(linearInterpolate(sources.mobility), borders))
 {
     carried += mobility*fluxOf(fields.balancedGradient/rho) - slip*fluxOf(sources.fluidFraction*fields.U);
+    if (fields.U.mesh().moving()) carryAlongWalls(sources, fields, borders, carried);
 }
 
 

@@ -11,6 +11,7 @@
 #include "fvcDiv.H"
 #include "fvcFlux.H"
 #include "fvcGrad.H"
+#include "fvcMeshPhi.H"
 #include "fvmLaplacian.H"
 
 namespace Foam
@@ -30,11 +31,15 @@ void PressureCorrection::correctPlain
 
     const volScalarField rAU("rAU", 1/momentum.A());
     const volVectorField HbyA(constrainHbyA(rAU*momentum.H(), U, pRgh));
-    surfaceScalarField freeFlux
-    (
-        "phiHbyA", fvc::flux(HbyA) + fvc::interpolate(rAU)*fvc::ddtCorr(U, fields.phi)
-    );
-    if (pRgh.needReference()) adjustPhi(freeFlux, U, pRgh);
+    const bool moves = mesh_.moving();
+    const tmp<surfaceScalarField> past(moves ? fvc::ddtCorr(U, fields.faceVelocity()) : fvc::ddtCorr(U, fields.phi));
+    surfaceScalarField freeFlux("phiHbyA", fvc::flux(HbyA) + fvc::interpolate(rAU)*past);
+    if (pRgh.needReference())
+    {
+        fvc::makeRelative(freeFlux, U);
+        adjustPhi(freeFlux, U, pRgh);
+        fvc::makeAbsolute(freeFlux, U);
+    }
 
     const surfaceScalarField mobility(fvc::interpolate(rAU));
     constrainPressure(pRgh, U, freeFlux, (mobility/rho)());

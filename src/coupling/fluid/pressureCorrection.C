@@ -9,6 +9,7 @@
 #include "constrainPressure.H"
 #include "findRefCell.H"
 #include "fvcDiv.H"
+#include "fvcMeshPhi.H"
 #include "fvmLaplacian.H"
 #include "linear.H"
 #include "surfaceInterpolate.H"
@@ -42,6 +43,20 @@ tmp<volScalarField> divergenceLessSource(const surfaceScalarField& flux, const F
     tmp<volScalarField> divergence(fvc::div(flux));
     if (fields.volumeSource.valid()) divergence.ref() -= fields.volumeSource();
     return divergence;
+}
+
+/// What flows through walls that move stays on its side of them.
+void adjustThroughFaces(surfaceScalarField& flux, const volScalarField& fluidFraction, FluidFields& fields)
+{
+    if (!fields.U.mesh().moving())
+    {
+        adjustPhi(flux, fields.U, fields.pRgh);
+        return;
+    }
+    const surfaceScalarField swept(linearInterpolate(fluidFraction)*fvc::meshPhi(fields.U));
+    flux -= swept;
+    adjustPhi(flux, fields.U, fields.pRgh);
+    flux += swept;
 }
 
 /// A domain that is closed takes no more fluid than sinks remove.
@@ -94,7 +109,7 @@ FluxLaw PressureCorrection::fluidLaw
 ) const
 {
     surfaceScalarField flux(fluxOf(fluidFraction*HbyA));
-    if (fields.pRgh.needReference()) adjustPhi(flux, fields.U, fields.pRgh);
+    if (fields.pRgh.needReference()) adjustThroughFaces(flux, fluidFraction, fields);
 
     const surfaceScalarField ra(linearInterpolate(sqr(fluidFraction)*rAU));
     const surfaceScalarField damping(1/(1 + ra*terms.resistanceFace));

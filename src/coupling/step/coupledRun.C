@@ -39,12 +39,13 @@ bool CoupledRun::nextStep()
     // Before the time moves on: the void fraction that the step starts from has the grains that enter in it.
     letIn(time_.value() + time_.deltaTValue());
     ++time_;
+    if (hasFluid()) immersion_->sources.beginStep();
+    moveMesh();
     driveTo(time_.value(), time_.deltaTValue());
     if (coarse_) coarse_->update(dynamics_->grains());
     if (!hasFluid()) return true;
     immersion_->sources.hasGrains = feedsBack();
     immersion_->sources.hasResponse = feedsBack() && (!immersion_->sources.isStatic || immersion_->sources.isModelB);
-    immersion_->sources.beginStep();
     return true;
 }
 

@@ -12,6 +12,7 @@
 #include "coupling/case/log/sceneLog.H"
 #include "coupling/case/start/fluidSourcesCheck.H"
 #include "coupling/case/start/initialChecks.H"
+#include "coupling/case/start/movingMeshCheck.H"
 #include "coupling/case/start/numericsCheck.H"
 #include "coupling/case/start/rotatingZonesCheck.H"
 #include "coupling/case/start/unsupportedFiles.H"
@@ -116,6 +117,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     ownStressShare_(ownStressShare(properties_.forces)),
     log_(time, Info, properties_.solvesFluid)
 {
+    if (movesMesh()) checkMovingMesh(properties_, mesh);
     const RunNumbers numbers = startGrains();
     meanDiameter_ = meanDiameterOf(numbers);
     startHomes();
@@ -211,14 +213,14 @@ void CoupledRun::startFluid()
     if (mayHaveGrains())
     {
         const scalar cellSize = meanCellSize(mesh_);
-        const dictionary voidFraction = properties_.voidFraction.forMapping(meanDiameter_, cellSize);
-        const scalar largest = returnReduce(input::largestDiameter(properties_, grains), maxOp<scalar>());
+        voidFraction_ = properties_.voidFraction.forMapping(meanDiameter_, cellSize);
+        largestDiameter_ = returnReduce(input::largestDiameter(properties_, grains), maxOp<scalar>());
         tellChosenWidth(properties_.voidFraction, meanDiameter_, cellSize);
-        immersion_->mapping = std::make_unique<GrainMapping>(mesh_, voidFraction, 0.5*largest, scene_.space.shape.dimensions);
+        makeMapping();
     }
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
-    sources.isStatic = hasGrains() && !properties_.hasEntries() && properties_.driven.empty() && areAllFixed(grains, *ranks_.exchange());
+    sources.isStatic = hasGrains() && !movesMesh() && !properties_.hasEntries() && properties_.driven.empty() && areAllFixed(grains, *ranks_.exchange());
     sources.isModelB = properties_.forces.isOn("modelB");
     sources.hasResponse = feedsBack() && (!sources.isStatic || sources.isModelB);
     if (hasGrains()) updateWeights();

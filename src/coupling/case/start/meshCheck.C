@@ -5,10 +5,12 @@
 #include "coupling/case/start/meshCheck.H"
 
 #include "coupling/case/input/inputError.H"
+#include "coupling/case/start/movingMeshCheck.H"
 
 #include "input/dictionary/quantity.hpp"
 #include "input/dictionary/withoutTraps.hpp"
 
+#include "dynamicFvMesh.H"
 #include "labelIOList.H"
 
 namespace Foam
@@ -103,6 +105,9 @@ void checkFilesAreThere(const Time& time)
     }
 }
 
+/// With the solver of its motion; OpenFOAM's errors tell what constant/dynamicMeshDict lacks.
+autoPtr<fvMesh> movingMesh(const IOobject& region) { return autoPtr<fvMesh>(dynamicFvMesh::New(region).ptr()); }
+
 void checkMeshFiles(const polyMesh& mesh)
 {
     checkPoints(mesh);
@@ -120,7 +125,8 @@ autoPtr<fvMesh> readMesh(const Time& time)
     const input::WithoutTraps traps;
     checkFilesAreThere(time);
     const IOobject region(fvMesh::defaultRegion, time.timeName(), time, IOobject::MUST_READ);
-    auto mesh = toldWithFile(meshFolder(time), time.path(), [&] { return autoPtr<fvMesh>::New(region); });
+    const bool moves = movesMesh(time);
+    auto mesh = toldWithFile(meshFolder(time), time.path(), [&] { return moves ? movingMesh(region) : autoPtr<fvMesh>::New(region); });
     checkMeshFiles(*mesh);
     return mesh;
 }

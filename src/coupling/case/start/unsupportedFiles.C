@@ -30,13 +30,6 @@ void refuseAny(const IOdictionary& dict, const string& problem, const string& al
     }
 }
 
-void refuseMovingMesh(const IOdictionary& dict)
-{
-    const word keyword = "dynamicFvMesh", still = "staticFvMesh", type = dict.getOrDefault<word>(keyword, dict.empty() ? still : word());
-    if (type == still) return;
-    fail({placeOf(dict, keyword), "moves the mesh, which nscdDEMFoam does not", type, still + ", or no such file"});
-}
-
 void refuseRotatingZones(const Time& time, bool solvesFluid)
 {
     const word name = "MRFProperties";
@@ -58,7 +51,6 @@ void refuseUnsupportedFiles(const Time& time, bool solvesFluid)
         refuseAny(readIfPresent(time, folder, "fvOptions"), problem, "no such file, or a fluid");
     }
     refuseRotatingZones(time, solvesFluid);
-    refuseMovingMesh(readIfPresent(time, time.constant(), "dynamicMeshDict"));
 }
 
 } // namespace nscdCoupling

@@ -9,6 +9,7 @@
 
 #include "SubField.H"
 #include "Time.H"
+#include "cyclicAMIPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
@@ -36,6 +37,9 @@ bool isWallByType(const polyPatch& patch)
     return isA<wallPolyPatch>(patch) || isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch);
 }
 
+/// Between halves of a mesh that move past each other.
+bool isSliding(const polyPatch& patch) { return isA<cyclicAMIPolyPatch>(patch) && !Pstream::parRun(); }
+
 bool mayTakeRule(const polyPatch& patch)
 {
     return isWallByType(patch) || !polyPatch::constraintType(patch.type());
@@ -46,13 +50,13 @@ void refuseUnknownKinds(const polyMesh& mesh)
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         const bool isParallel = isA<processorPolyPatch>(patch);
-        const bool isKnown = mayTakeRule(patch) || isA<emptyPolyPatch>(patch) || patch.type() == cyclicPolyPatch::typeName;
+        const bool isKnown = mayTakeRule(patch) || isA<emptyPolyPatch>(patch) || patch.type() == cyclicPolyPatch::typeName || isSliding(patch);
         if (isKnown || (isParallel && Pstream::parRun())) continue;
         fail
         ({
             boundaryPlace(mesh, patch),
             isParallel ? "belongs to a part of a decomposed case: run the whole with -parallel" : "is of a type that grains do not know",
-            patch.type(), "wall, symmetry, symmetryPlane, patch, cyclic, empty"
+            patch.type(), "wall, symmetry, symmetryPlane, patch, cyclic, cyclicAMI on one rank, empty"
         });
     }
 }
@@ -107,7 +111,7 @@ labelList patchSizes(const polyMesh& mesh)
 
 PatchRole roleByType(const polyPatch& patch, bool isVoid, bool hasGrains)
 {
-    if (isA<processorPolyPatch>(patch)) return PatchRole::unused;
+    if (isA<processorPolyPatch>(patch) || isSliding(patch)) return PatchRole::unused;
     if (isA<emptyPolyPatch>(patch)) return PatchRole::empty;
     if (isA<cyclicPolyPatch>(patch)) return PatchRole::periodic;
     if (isWallByType(patch)) return PatchRole::wall;
@@ -119,7 +123,7 @@ void checkComplete(const GrainProperties& properties, const polyMesh& mesh, cons
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         const label patchi = patch.index();
-        if (sizes[patchi] == 0 || !properties.hasAnySource() || isA<processorPolyPatch>(patch)) continue;
+        if (sizes[patchi] == 0 || !properties.hasAnySource() || isA<processorPolyPatch>(patch) || isSliding(patch)) continue;
         if (roles.role[patchi] == PatchRole::unused)
         {
             fail

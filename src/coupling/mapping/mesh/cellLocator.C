@@ -5,6 +5,9 @@
 #include "coupling/base/vectorConversion.H"
 #include "coupling/mapping/mesh/cellLocator.H"
 
+#include "cyclicAMIPolyPatch.H"
+#include "emptyPolyPatch.H"
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -65,6 +68,12 @@ std::vector<Eigen::AlignedBox3d> boxesOf(const std::vector<label>& cells, const 
     return boxes;
 }
 
+bool anySliding(const polyBoundaryMesh& patches)
+{
+    for (const polyPatch& patch : patches) if (isA<cyclicAMIPolyPatch>(patch)) return true;
+    return false;
+}
+
 } // namespace
 
 CellLocator::CellLocator(const MappingMesh& mappingMesh, const polyMesh& mesh)
@@ -73,7 +82,8 @@ CellLocator::CellLocator(const MappingMesh& mappingMesh, const polyMesh& mesh)
     polyMesh_(mesh),
     middle_(mappingMesh.inPlane(toVec3(mesh.bounds().centre()))),
     cellsBetweenRanks_(cellsBetweenRanks(mappingMesh)),
-    boxesBetweenRanks_(boxesOf(cellsBetweenRanks_, mappingMesh))
+    boxesBetweenRanks_(boxesOf(cellsBetweenRanks_, mappingMesh)),
+    hasHalves_(anySliding(mesh.boundaryMesh()))
 {
     if (Pstream::parRun())
     {
@@ -177,7 +187,30 @@ label CellLocator::search(const Vec3& x) const
     // The octree may miss a point on the border of the mesh; one just inside of it starts a walk.
     const Vec3 inside = x + 1e-9*(middle_ - x);
     const label nearby = polyMesh_.findCell(toFoam(inside));
-    return nearby >= 0 ? walk(nearby, x) : -1;
+    return nearby >= 0 ? walk(nearby, x) : searchBetweenHalves(x);
+}
+
+// The faces of two halves of a mesh that slide past each other are flat, and leave slivers between them: a point there belongs to the nearest
+// face's cell, if no other border of the mesh is nearer.
+label CellLocator::searchBetweenHalves(const Vec3& x) const
+{
+    const polyBoundaryMesh& patches = polyMesh_.boundaryMesh();
+    if (!hasHalves_) return -1;
+    scalar nearest = GREAT;
+    label cell = -1;
+    for (const polyPatch& patch : patches)
+    {
+        if (isA<emptyPolyPatch>(patch)) continue;
+        const bool isSliding = isA<cyclicAMIPolyPatch>(patch);
+        forAll(patch, k)
+        {
+            const scalar distance = patch[k].nearestPoint(toFoam(x), polyMesh_.points()).distance();
+            if (distance >= nearest) continue;
+            nearest = distance;
+            cell = isSliding ? patch.faceCells()[k] : -1;
+        }
+    }
+    return cell;
 }
 
 // The octree knows nothing of halo cells, and it may miss a point of an own cell beside them, behind a warped face or on a flat

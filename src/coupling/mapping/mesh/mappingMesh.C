@@ -6,6 +6,7 @@
 #include "coupling/mapping/mesh/mappingMesh.H"
 #include "coupling/mapping/mesh/meshHalo.H"
 
+#include "cyclicAMIPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
@@ -216,13 +217,14 @@ void connectCyclic(const polyMesh& mesh, std::vector<label>& behind, std::vector
         {
             continue;
         }
-        if (!isA<cyclicPolyPatch>(patch))
-        {
-            refuse(patch, "the only coupled patches supported are cyclic, processor and processorCyclic");
-        }
-        if (patch.empty())
+        // The halves of a mesh that slide past each other have no cells in common: what of a grain lies behind is put into its own half.
+        if (isA<cyclicAMIPolyPatch>(patch) || patch.empty())
         {
             continue;
+        }
+        if (!isA<cyclicPolyPatch>(patch))
+        {
+            refuse(patch, "the only coupled patches supported are cyclic, cyclicAMI, processor and processorCyclic");
         }
         const cyclicPolyPatch& cyclic = refCast<const cyclicPolyPatch>(patch);
         result.shifts.push_back(shiftThrough(cyclic));

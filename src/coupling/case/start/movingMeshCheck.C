@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Looking at constant/dynamicMeshDict, and at the mesh after it moved.
+#include "coupling/case/start/movingMeshCheck.H"
+
+#include "coupling/case/input/inputError.H"
+#include "coupling/case/walls/patchRoles.H"
+
+#include "IOdictionary.H"
+#include "Time.H"
+
+namespace Foam
+{
+namespace nscdCoupling
+{
+
+namespace
+{
+
+const word keyword = "dynamicFvMesh";
+const word still = "staticFvMesh";
+
+IOdictionary dynamicMeshDict(const Time& time)
+{
+    return IOdictionary(IOobject("dynamicMeshDict", time.constant(), time, IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
+}
+
+bool hasRotatingZones(const Time& time)
+{
+    const IOdictionary zones(IOobject("MRFProperties", time.constant(), time, IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
+    for (const entry& zone : zones) if (zone.isDict()) return true;
+    return false;
+}
+
+} // namespace
+
+
+bool movesMesh(const Time& time)
+{
+    const IOdictionary dict(dynamicMeshDict(time));
+    if (dict.empty()) return false;
+    if (!dict.found(keyword)) fail({placeOf(dict, keyword), "is missing, in a file that moves the mesh", "", still + ", dynamicMotionSolverFvMesh, ..."});
+    return dict.get<word>(keyword) != still;
+}
+
+
+void checkMovingMesh(const GrainProperties& properties, const polyMesh& mesh)
+{
+    const IOdictionary dict(dynamicMeshDict(mesh.time()));
+    const auto refuse = [&](const string& problem, const string& allowed)
+    {
+        fail({placeOf(dict, keyword), "moves the mesh, " + problem, dict.get<word>(keyword), still + ", or " + allowed});
+    };
+    if (Pstream::parRun()) refuse("which nscdDEMFoam does on one rank only", "one rank");
+    if (properties.heat) refuse("on which temperatures are not followed", "no `heat`");
+    if (properties.holdsMeanFlow) refuse("on which a mean flow is not held", "no `meanFlow`");
+    if (properties.time.subCycles > 1) refuse("whose walls are known at the ends of the fluid's steps alone", "`subCycles 1`");
+    if (hasRotatingZones(mesh.time())) refuse("beside a rotating frame", "no constant/MRFProperties");
+}
+
+
+void checkMovedMesh(const polyMesh& mesh, const nscd::PeriodicBox& box)
+{
+    if (mesh.topoChanging())
+    {
+        FatalErrorInFunction << "the mesh has changed its cells at time " << mesh.time().timeName()
+            << ": nscdDEMFoam follows meshes whose points move, and no others" << exit(FatalError);
+    }
+    if (!box.any()) return;
+    const nscd::PeriodicBox now = periodicBox(mesh);
+    const scalar slack = 1e-6*mesh.bounds().mag();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (now.isPeriodic(axis) == box.isPeriodic(axis) && (!box.isPeriodic(axis) || mag(now.length(axis) - box.length(axis)) <= slack)) continue;
+        FatalErrorInFunction << "the mesh has changed its period along axis " << axis << " at time " << mesh.time().timeName() << exit(FatalError);
+    }
+}
+
+} // namespace nscdCoupling
+} // namespace Foam
