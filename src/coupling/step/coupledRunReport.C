@@ -76,9 +76,20 @@ void CoupledRun::describeVolumes(StepRow& row) const
     if (row.grainVolume > 0) row.volumeError = mag(row.solidVolume - (row.grainVolume - row.volumeOutside))/row.grainVolume;
 }
 
+GrainTotals CoupledRun::totals() const
+{
+    GrainTotals totals = sumGrains(dynamics_->grains(), *ranks_.exchange());
+    if (bodies_.areGrains()) return totals;
+    const GrainTotals ofBodies = sumGrains(bodies(), *ranks_.exchange());
+    totals.clumps = static_cast<std::int64_t>(dynamics_->grains().clumps.size());
+    totals.volume = ofBodies.volume;
+    totals.massCenter = ofBodies.massCenter;
+    return totals;
+}
+
 StepRow CoupledRun::describeStep()
 {
-    const GrainTotals totals = sumGrains(dynamics_->grains(), *ranks_.exchange());
+    const GrainTotals totals = this->totals();
     StepRow row;
     row.time = time_.value();
     row.deltaT = time_.deltaTValue();
@@ -114,7 +125,7 @@ FluidSummary CoupledRun::describeFluid() const
 {
     FluidSummary summary;
     if (!hasFluid()) return summary;
-    const ::nscd::Grains& grains = dynamics_->grains();
+    const ::nscd::Grains& grains = bodies();
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         if (i < step_.at.velocity.size())

@@ -261,7 +261,7 @@ input::Surroundings foamSurroundings(const fileName& casePath)
         return inFolder(path, path.find('/') == std::string::npos ? constant/"triSurface" : casePath);
     };
     around.nRanks = Pstream::nProcs();
-    around.hasClumps = false;
+    around.hasClumps = !Pstream::parRun();
     around.sleepsByDefault = false;
     around.sizeModels = foamSizeModels();
     around.grainsOfTime = [casePath](const input::GrainSource& source, const input::MaterialTable& materials)

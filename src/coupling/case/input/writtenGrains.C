@@ -93,6 +93,11 @@ public:
         for (const fileName& part : time.parts) folders_.push_back(part/time.name/"lagrangian/grains");
     }
 
+    bool found(const word& field) const
+    {
+        return std::any_of(folders_.begin(), folders_.end(), [&](const fileName& folder) { return isFile(folder/field); });
+    }
+
     template<class Type>
     Field<Type> read(const word& field) const
     {
@@ -173,6 +178,7 @@ nscd::Grains readCloud(const WrittenTime& time, const input::GrainSource& source
     const dictionary state = stateOf(time);
     const wordList names = state.get<wordList>("materials");
     const WrittenCloud cloud(time);
+    if (cloud.found("clump")) throw InputError({source.filePlace, "holds clumps, of which `time` takes the members alone", "", "a case of single grains"});
     const Field<label> id = cloud.read<label>("origId"), material = cloud.read<label>("material"), fixed = cloud.read<label>("isFixed");
     const Field<vector> x = cloud.read<vector>("position"), u = cloud.read<vector>("U"), omega = cloud.read<vector>("omega");
     const Field<vector> axis = cloud.read<vector>("orientation");
