@@ -37,13 +37,14 @@ List<Value> ofClumps(const nscd::Clumps& clumps, const Of& of)
 /// The files of one time: a row for each clump.
 struct WrittenClumps
 {
-    labelList id;
+    labelList id, members;
     vectorField position, velocity, axisPart, angularMomentum, diagonal, offDiagonal;
     scalarField w, mass;
 
     explicit WrittenClumps(const CloudReader& cloud)
     :
         id(cloud.labels("origId")),
+        members(cloud.labels("members")),
         position(cloud.vectors("position")),
         velocity(cloud.vectors("U")),
         axisPart(cloud.vectors("orientation")),
@@ -78,14 +79,13 @@ struct Membership
 }
 
 /// The grains of a clump from its first one on.
-std::vector<std::size_t> membersOf(const polyMesh& mesh, label id, const nscd::Grains& grains, const Membership& members)
+std::vector<std::size_t> membersOf(const polyMesh& mesh, label id, label number, const nscd::Grains& grains, const Membership& members)
 {
     std::size_t first = 0;
     while (first < grains.size() && grains.id[first] != id) ++first;
     std::vector<std::size_t> found;
     for (std::size_t i = first; i < grains.size() && members.clump[label(i)] == id; ++i) found.push_back(i);
-    const auto number = std::count(members.clump.begin(), members.clump.end(), id);
-    if (found.empty() || label(found.size()) != label(number)) refuseMembers(mesh, id, "whose members are not there, or not in a row");
+    if (found.empty() || label(found.size()) != number) refuseMembers(mesh, id, "whose members are not there, or not in a row");
     for (const std::size_t i : found)
     {
         if (grains.material[i] != grains.material[first]) refuseMembers(mesh, id, "of several materials");
@@ -130,7 +130,7 @@ void addClump
     nscd::Grains& grains
 )
 {
-    const std::vector<std::size_t> own = membersOf(mesh, written.id[c], grains, members);
+    const std::vector<std::size_t> own = membersOf(mesh, written.id[c], written.members[c], grains, members);
     std::vector<nscd::Ball> balls;
     for (const std::size_t i : own) balls.push_back({toVec3(members.center[label(i)]), grains.radius[i]});
     nscd::Clumps& clumps = grains.clumps;
@@ -191,6 +191,7 @@ void writeClumps(const polyMesh& mesh, const nscd::Grains& grains, const labelUL
     const auto ids = ofClumps<label>(clumps, [&](std::size_t c) { return label(grains.id[clumps.firstMember[c]]); });
     const auto inertia = [&](std::size_t c) { return clumps.shapeOf(c).inertia; };
     const CloudWriter cloud(mesh, "clumps", points, cellsOfClumps, ids);
+    cloud.write("members", ofClumps<label>(clumps, [&](std::size_t c) { return label(clumps.shapeOf(c).members.size()); }));
     cloud.write("position", vectors([&](std::size_t c) { return clumps.position[c]; }));
     cloud.write("U", vectors([&](std::size_t c) { return clumps.velocity[c]; }));
     cloud.write("omega", vectors([&](std::size_t c) { return nscd::angularVelocity(clumps, c); }));

@@ -31,7 +31,7 @@ string namesOf(const labelList& patches, const polyMesh& mesh)
 string describeGrains(const GrainTotals& grains, const nscd::GrainShape& shape)
 {
     if (grains.number == 0) return "none";
-    const std::string clumps = grains.clumps == 0 ? "" : formatted(" in %lld clumps or single", static_cast<long long>(grains.clumps));
+    const std::string clumps = grains.clumps == 0 ? "" : formatted(", those of %lld clumps included", static_cast<long long>(grains.clumps));
     return formatted
     (
         "%lld %s%s, diameter %.4g to %.4g m, volume %.6g m3",
