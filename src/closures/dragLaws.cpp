@@ -6,6 +6,7 @@
 
 #include "closures/drag/hinderedDrag.hpp"
 #include "closures/drag/loneGrainDrag.hpp"
+#include "closures/drag/nonsphericalDrag.hpp"
 #include "closures/drag/packedBedDrag.hpp"
 #include "closures/drag/simulatedDrag.hpp"
 
@@ -53,7 +54,9 @@ const std::vector<DragLawRow> table =
     {"HillKochLadd",            "",           hillKochLadd,            1,      0,      0.282,   kochHillBeds, "Benyahia et al. 2006"},
     {"Beetstra",                "",           beetstra,                1,      0,      0,       beetstraBeds, "Beetstra et al. 2007"},
     {"Rong",                    "",           rong,                    0.96,   0,      0,       rongsBeds,    "Rong et al. 2013"},
-    {"Tenneti",                 "",           tenneti,                 1,      0,      0,       tennetiBeds,  "Tenneti et al. 2011"}
+    {"Tenneti",                 "",           tenneti,                 1,      0,      0,       tennetiBeds,  "Tenneti et al. 2011"},
+    {"HaiderLevenspiel",        "",           haiderLevenspiel,        1,      0,      0,       liquidBeds,   "Haider & Levenspiel 1989"},
+    {"HoelzerSommerfeld",       "",           holzerSommerfeld,        1,      0,      0,       liquidBeds,   "Hoelzer & Sommerfeld 2008"}
 };
 
 } // namespace

@@ -26,6 +26,8 @@ struct DragState
     double fluidFraction;  ///< alpha in (0, 1]
     double density;        ///< of the fluid [kg/m3]
     double viscosity;      ///< of the fluid, dynamic [Pa s]
+    double sphericity = 1;            ///< surface of the sphere of the same volume over the grain's own [-]
+    double crosswiseSphericity = 1;   ///< frontal area of the sphere of the same volume over what the grain turns to the flow [-]
 };
 
 /// Re of the slip velocity, for a grain alone.

@@ -5,6 +5,8 @@
 #include "coupling/base/vectorConversion.H"
 #include "coupling/mapping/grainMapping.H"
 
+#include <map>
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -71,6 +73,14 @@ void sampleRow(const WeightMatrix& weights, const label row, const Cells& cells,
     {
         addTo(amount, weights.shares[k].share, cells[weights.shares[k].cell]);
     }
+}
+
+/// Means over the balls of each body, by their shares in it.
+std::vector<scalar> sharesOfBodies(const MappedBodies& bodies, const std::vector<scalar>& ofBalls)
+{
+    std::vector<scalar> means(bodies.volume.size(), 0);
+    for (std::size_t ball = 0; ball < ofBalls.size(); ++ball) means[bodies.bodyOf[ball]] += bodies.share[ball]*ofBalls[ball];
+    return means;
 }
 
 } // namespace
@@ -164,28 +174,59 @@ void GrainMapping::listMissing(const ::nscd::Grains& grains)
 }
 
 // Returns the part of the ball that is in cells.
-scalar GrainMapping::buildRow(const LocatedBall& ball)
+scalar GrainMapping::buildRow(const LocatedBall& ball, WeightMatrix& rows)
 {
-    const std::size_t first = weights_.shares.size();
-    const scalar covered = layout_->mesh.isOwn(ball.cell) ? method_.appendShares(layout_->tools, ball, weights_.shares) : 1;
+    const std::size_t first = rows.shares.size();
+    const scalar covered = layout_->mesh.isOwn(ball.cell) ? method_.appendShares(layout_->tools, ball, rows.shares) : 1;
     scalar sum = 0;
-    for (std::size_t k = first; k < weights_.shares.size(); ++k)
+    for (std::size_t k = first; k < rows.shares.size(); ++k)
     {
-        sum += weights_.shares[k].share;
+        sum += rows.shares[k].share;
     }
     // A small grain in a sliver between halves of a mesh that slide past each other reaches no cell.
     if (sum <= 0)
     {
-        weights_.shares.resize(first);
-        weights_.shares.push_back({ball.cell, 1});
+        rows.shares.resize(first);
+        rows.shares.push_back({ball.cell, 1});
         sum = 1;
     }
-    for (std::size_t k = first; k < weights_.shares.size(); ++k)
+    for (std::size_t k = first; k < rows.shares.size(); ++k)
     {
-        weights_.shares[k].share /= sum;
+        rows.shares[k].share /= sum;
     }
-    weights_.endRow();
+    rows.endRow();
     return covered;
+}
+
+// Rows made for balls do not serve bodies, nor the other way.
+void GrainMapping::setBodies(const MappedBodies& bodies)
+{
+    if (bodies.empty() != bodies_.empty())
+    {
+        balls_.clear();
+        isBuilt_ = false;
+    }
+    bodies_ = bodies;
+}
+
+// The balls of a body follow each other.
+void GrainMapping::joinRows()
+{
+    weights_.clear();
+    for (std::size_t ball = 0; ball < balls_.size();)
+    {
+        const label body = bodies_.bodyOf[ball];
+        std::map<label, scalar> inCell;
+        for (; ball < balls_.size() && bodies_.bodyOf[ball] == body; ++ball)
+        {
+            for (label k = ballWeights_.rowStart[ball]; k < ballWeights_.rowStart[ball + 1]; ++k)
+            {
+                inCell[ballWeights_.shares[k].cell] += bodies_.share[ball]*ballWeights_.shares[k].share;
+            }
+        }
+        for (const auto& [cell, share] : inCell) weights_.shares.push_back({cell, share});
+        weights_.endRow();
+    }
 }
 
 // Whether any row has changed.
@@ -196,27 +237,30 @@ bool GrainMapping::updateRows(std::vector<LocatedBall> balls)
     for (std::size_t i = 0; i < balls.size(); ++i) unmoved += isUnmoved(i);
     if (unmoved == balls.size() && balls_.size() == balls.size()) return false;
 
-    const WeightMatrix before = unmoved > 0 ? std::move(weights_) : WeightMatrix();
-    weights_.clear();
-    weights_.shares.reserve(before.shares.size());
+    WeightMatrix& rows = hasBodies() ? ballWeights_ : weights_;
+    const WeightMatrix before = unmoved > 0 ? std::move(rows) : WeightMatrix();
+    rows.clear();
+    rows.shares.reserve(before.shares.size());
     covered_.resize(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i)
     {
-        if (isUnmoved(i)) weights_.copyRow(before, label(i));
-        else covered_[i] = buildRow(balls[i]);
+        if (isUnmoved(i)) rows.copyRow(before, label(i));
+        else covered_[i] = buildRow(balls[i], rows);
     }
     balls_ = std::move(balls);
+    if (hasBodies()) joinRows();
     return true;
 }
 
 void GrainMapping::buildSolidFraction()
 {
     solidFraction_ = scalarField(layout_->mesh.nCells(), Zero);
+    const std::vector<scalar> covered = hasBodies() ? sharesOfBodies(bodies_, covered_) : covered_;
     for (label i = 0; i < weights_.nRows(); ++i)
     {
         const scalar volume = volumes_[i];
         report_.grainVolume += volume;
-        report_.lostOutside += volume*(1 - covered_[i]);
+        report_.lostOutside += volume*(1 - covered[i]);
         for (label k = weights_.rowStart[i]; k < weights_.rowStart[i + 1]; ++k)
         {
             solidFraction_[weights_.shares[k].cell] += weights_.shares[k].share*volume;
@@ -242,10 +286,14 @@ void GrainMapping::sumReport()
     report_.lostOutside = sums[2];
 }
 
-const MappingReport& GrainMapping::update(const ::nscd::Grains& grains, const ::nscd::PeriodicBox& box)
+const MappingReport& GrainMapping::update
+(
+    const ::nscd::Grains& grains, const ::nscd::PeriodicBox& box, const MappedBodies& bodies
+)
 {
     checkDimensions(grains);
     growHalo(grains);
+    setBodies(bodies);
     box_ = box;
     const bool isChanged = updateRows(locate(grains, box)) || !isBuilt_;
     if (layout_->exchange.max(isChanged ? 1 : 0) == 0) return report_;
@@ -253,6 +301,7 @@ const MappingReport& GrainMapping::update(const ::nscd::Grains& grains, const ::
     listMissing(grains);
     volumes_.resize(grains.nOwned);
     for (std::size_t i = 0; i < grains.nOwned; ++i) volumes_[i] = grains.volume(i);
+    if (hasBodies()) volumes_ = bodies_.volume;
     buildSolidFraction();
     sumReport();
     isBuilt_ = true;

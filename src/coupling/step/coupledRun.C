@@ -56,8 +56,7 @@ void CoupledRun::driveTo(scalar end, scalar deltaT)
 
 ForceInputs CoupledRun::forceInputs() const
 {
-    const ::nscd::Grains& grains = dynamics_->grains();
-    return {grains, step_.at, fluidDensity(), toVec3(gravity_), coarse_ ? coarse_->radius() : grains.radius};
+    return {bodies(), step_.at, fluidDensity(), toVec3(gravity_), bodies_.forms(), coarse_ ? coarse_->radius() : bodies().radius};
 }
 
 void CoupledRun::applyField()
@@ -65,7 +64,7 @@ void CoupledRun::applyField()
     const GrainMapping* mapping = hasFluid() ? immersion_->mapping.get() : nullptr;
     const GrainsAtHome* atHome = hasFluid() ? &immersion_->atHome : nullptr;
     const scalar end = time_.value();
-    step_.at.applied = field_->onGrains(dynamics_->grains(), end - time_.deltaTValue(), end, mapping, atHome);
+    step_.at.applied = field_->onGrains(bodies(), end - time_.deltaTValue(), end, mapping, atHome);
 }
 
 void CoupledRun::sampleFluid()
@@ -96,7 +95,7 @@ void CoupledRun::linearizeDrag()
     step_.predictorConverged = true;
     if (!hasFluid() || !hasGrains()) return;
 
-    const ::nscd::Grains& grains = dynamics_->grains();
+    const ::nscd::Grains& grains = bodies();
     step_.startVelocity = grains.velocity;
     step_.exchanged = forces_.exchanged(forceInputs());
     step_.force = forces_.explicitForces(forceInputs(), step_.exchanged);
@@ -114,7 +113,7 @@ void CoupledRun::linearizeDrag()
 bool CoupledRun::isLagAllowed() const
 {
     if (step_.drag.largestStiffness > weakDrag) return false;
-    const ::nscd::Grains& grains = dynamics_->grains();
+    const ::nscd::Grains& grains = bodies();
     const scalar rho = fluidDensity();
     double heaviestFluid = 0;
     for (std::size_t i = 0; i < grains.nOwned; ++i)
@@ -127,7 +126,7 @@ bool CoupledRun::isLagAllowed() const
 
 GrainResponse CoupledRun::predictResponse()
 {
-    const ::nscd::Grains& grains = dynamics_->grains();
+    const ::nscd::Grains& grains = bodies();
     const scalar deltaT = time_.deltaTValue();
     ::nscd::ExternalForces external = forces_.external(forceInputs(), step_.force, step_.drag);
     external.speedScale = forces_.speedScale(forceInputs(), step_.exchanged, step_.drag, deltaT, *ranks_.exchange());
@@ -136,9 +135,9 @@ GrainResponse CoupledRun::predictResponse()
     std::vector<Mobility> mobility(grains.size());
     if (dynamics_->hasContacts())
     {
-        prediction = dynamics_->predict(external);
+        prediction = bodies_.ofBodies(dynamics_->predict(bodies_.onGrains(external)));
         const TrialPush push = makeTrialPush(grains, step_.force, step_.drag, step_.at, external, deltaT);
-        const ::nscd::Prediction pushed = dynamics_->tryForces(push.external);
+        const ::nscd::Prediction pushed = bodies_.ofBodies(dynamics_->tryForces(bodies_.onGrains(push.external)));
         mobility = mobilities(push, prediction, pushed);
         step_.predictorSweeps = prediction.solve.sweeps + pushed.solve.sweeps;
         step_.predictorConverged = prediction.solve.converged && pushed.solve.converged;
@@ -182,27 +181,27 @@ void CoupledRun::advanceGrains()
     if (!hasGrains()) return reportNoGrains();
     const label subCycles = properties_.time.subCycles;
     const scalar deltaT = time_.deltaTValue()/subCycles;
-    step_.received.assign(dynamics_->grains().size(), Vec3::Zero());
+    step_.received.assign(bodies().size(), Vec3::Zero());
     step_.grainReport = ::nscd::StepReport();
     for (label cycle = 0; cycle < subCycles; ++cycle)
     {
         if (subCycles > 1) driveTo(time_.value() - (subCycles - 1 - cycle)*deltaT, deltaT);
         const LinearDrag drag = subCycles == 1 || !hasFluid()
-            ? step_.drag : forces_.splitAgain(dynamics_->grains(), step_.drag, deltaT);
+            ? step_.drag : forces_.splitAgain(bodies(), step_.drag, deltaT);
         step_.grainReport = worstOf(step_.grainReport, advanceOnce(drag, deltaT), cycle + 1);
     }
     access_.endMoves();
     if (access_.areContactsWanted()) access_.recordContacts(::nscd::shownContacts(dynamics_->grains(), dynamics_->contacts(), deltaT));
     if (heat_) heat_->conduct(*dynamics_, deltaT, time_.deltaTValue());
     reach_.displacement = step_.grainReport.maxDisplacement*subCycles;
-    lastContactForce_ = dynamics_->contactForce();
+    lastContactForce_ = bodies_.sums(dynamics_->contactForce());
     if (hasFluid()) recordFluidForce();
     if (hasFluid() && feedsBack()) settleDebts();
 }
 
 ::nscd::StepReport CoupledRun::advanceOnce(const LinearDrag& drag, scalar deltaT)
 {
-    const ::nscd::Grains& grains = dynamics_->grains();
+    const ::nscd::Grains& grains = bodies();
     ::nscd::ExternalForces external = forces_.external(forceInputs(), step_.force, drag);
     // Without a fluid weight acts alone, and no mean over grains rounds it: nscdGrains computes the same, to the bit.
     external.speedScale = hasFluid() || field_
@@ -210,7 +209,8 @@ void CoupledRun::advanceGrains()
 
     const std::vector<Vec3> before = drag.implicit.empty() ? std::vector<Vec3>() : grains.velocity;
     dynamics_->beginStep(deltaT);
-    const ::nscd::StepReport report = dynamics_->advance(external);
+    const ::nscd::StepReport report = dynamics_->advance(bodies_.onGrains(external));
+    bodies_.update(dynamics_->grains());
     for (std::size_t i = 0; i < drag.implicit.size(); ++i)
     {
         const Vec3& u = step_.at.velocity[i];
@@ -229,7 +229,7 @@ void CoupledRun::reportNoGrains()
 
 void CoupledRun::recordFluidForce()
 {
-    const ::nscd::Grains& grains = dynamics_->grains();
+    const ::nscd::Grains& grains = bodies();
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
         fluidForce_[i] = step_.force[i] - grains.mass[i]*toVec3(gravity_) + step_.received[i]/time_.deltaTValue();
@@ -240,7 +240,7 @@ void CoupledRun::recordFluidForce()
 
 void CoupledRun::settleDebts()
 {
-    const ::nscd::Grains& grains = dynamics_->grains();
+    const ::nscd::Grains& grains = bodies();
     const scalar deltaT = time_.deltaTValue();
     const StepBalance here = settleDebt(step_, deltaT, debt_);
     // Impulse on the grains and change of their debts; sizes of forces, weights and debts.
@@ -299,14 +299,14 @@ void CoupledRun::updateWeights()
 void CoupledRun::updateWeightsAtHome()
 {
     if (homes_) bringHome();
-    else immersion_->mapping->update(dynamics_->grains(), scene_.box);
+    else immersion_->mapping->update(dynamics_->grains(), scene_.box, bodies_.parts());
     if (feedsBack()) immersion_->mapping->setFluidFraction(immersion_->sources.fluidFraction);
 }
 
 void CoupledRun::leaveDebts(const std::vector<std::size_t>& gone)
 {
     if (!hasFluid()) return;
-    const ::nscd::Grains& grains = dynamics_->grains();
+    const ::nscd::Grains& grains = bodies();
     std::vector<scalar> share(grains.mass.begin(), grains.mass.begin() + static_cast<std::ptrdiff_t>(grains.nOwned));
     for (std::size_t i : gone) share[i] = 0;
     double sums[4] = {0, 0, 0, std::accumulate(share.begin(), share.end(), scalar(0))};
@@ -321,22 +321,24 @@ void CoupledRun::leaveDebts(const std::vector<std::size_t>& gone)
 
 void CoupledRun::removeExited(const std::vector<label>& cells)
 {
-    const ExitedGrains exited = findExited
+    const ExitedGrains exited = withWholeClumps(dynamics_->grains(), findExited
     (
         dynamics_->grains(), toLabelList(cells), mesh_, scene_.roles, ranks_.isParallel() ? &ranks_.tree() : nullptr
-    );
+    ));
     const std::vector<std::size_t>& gone = exited.grains;
     double number = double(gone.size());
     ranks_.exchange()->sum(&number, 1);
     if (number == 0) return;
     ::nscd::Grains grains = dynamics_->grains();
     access_.recordExits(gone, exited.patches);
-    leaveDebts(gone);
+    const std::vector<std::size_t> bodiesGone = bodies_.bodiesOf(gone);
+    leaveDebts(bodiesGone);
     if (heat_) heat_->dismiss(grains, gone);
     if (coarse_) coarse_->dismiss(grains, gone);
     eraseGrains(grains, gone);
     dynamics_->setGrains(std::move(grains));
-    memory_.erase(gone);
+    bodies_.update(dynamics_->grains());
+    memory_.erase(bodiesGone);
     if (homes_) homes_->erase(gone);
     exited_ += static_cast<std::int64_t>(number);
     nGrains_ -= static_cast<std::int64_t>(number);

@@ -83,6 +83,7 @@ void CoupledRun::letIn(scalar end)
     }
     if (entered == 0) return;
     const auto timer = timing_.time(StepPart::depositGrains);
+    bodies_.update(dynamics_->grains());
     memory_.enter(dynamics_->grains().size() - before);
     if (coarse_) coarse_->welcome(before, entry_->sourcesOfLast(), properties_.entries);
     if (heat_) heat_->welcome(dynamics_->grains());
@@ -100,9 +101,10 @@ void CoupledRun::takeFluidVelocity(std::size_t first)
     const std::vector<std::size_t>& sources = entry_->sourcesOfLast();
     for (std::size_t k = 0; k < sources.size(); ++k)
     {
-        if (takes(properties_.entries[sources[k]])) grains.velocity[first + k] = step_.at.velocity[first + k];
+        if (takes(properties_.entries[sources[k]])) grains.velocity[first + k] = step_.at.velocity[bodies().size() - sources.size() + k];
     }
     dynamics_->setGrains(std::move(grains));
+    bodies_.update(dynamics_->grains());
 }
 
 } // namespace nscdCoupling

@@ -28,12 +28,15 @@ GrainState CoupledRun::takeState()
     state.contacts = dynamics_->checkpoint(state.numbers["lastDeltaT"]);
     state.grains = dynamics_->grains();
     memory_.copyTo(state);
+    state.extras = bodies_.toGrains(state.extras);
+    state.unwritten = bodies_.toGrains(state.unwritten);
     return state;
 }
 
 void CoupledRun::setState(const GrainState& state)
 {
     dynamics_->setGrains(state.grains);
+    bodies_.update(dynamics_->grains());
     dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
     memory_.takeFrom(state);
     if (homes_) homes_->forget();

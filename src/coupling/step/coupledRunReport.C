@@ -76,16 +76,21 @@ void CoupledRun::describeVolumes(StepRow& row) const
     if (row.grainVolume > 0) row.volumeError = mag(row.solidVolume - (row.grainVolume - row.volumeOutside))/row.grainVolume;
 }
 
-GrainTotals CoupledRun::describeTotals() const
+GrainTotals CoupledRun::totals() const
 {
     GrainTotals totals = sumGrains(dynamics_->grains(), *ranks_.exchange());
     if (coarse_) coarse_->describe(dynamics_->grains(), *ranks_.exchange(), totals);
+    if (bodies_.areGrains()) return totals;
+    const GrainTotals ofBodies = sumGrains(bodies(), *ranks_.exchange());
+    totals.clumps = static_cast<std::int64_t>(dynamics_->grains().clumps.size());
+    totals.volume = ofBodies.volume;
+    totals.massCenter = ofBodies.massCenter;
     return totals;
 }
 
 StepRow CoupledRun::describeStep()
 {
-    const GrainTotals totals = describeTotals();
+    const GrainTotals totals = this->totals();
     StepRow row;
     row.time = time_.value();
     row.deltaT = time_.deltaTValue();
@@ -124,7 +129,7 @@ FluidSummary CoupledRun::describeFluid() const
 {
     FluidSummary summary;
     if (!hasFluid()) return summary;
-    const ::nscd::Grains& grains = dynamics_->grains();
+    const ::nscd::Grains& grains = bodies();
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         if (i < step_.at.velocity.size())

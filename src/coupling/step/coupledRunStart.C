@@ -88,6 +88,22 @@ void tellChosenWidth(const VoidFractionSettings& settings, scalar meanDiameter, 
     Info<< "voidFraction: filterWidth " << width << ", as cells are " << cellSize/meanDiameter << " mean diameters wide" << nl;
 }
 
+/// What the fluid and the heat do not know of clumps.
+void checkClumps(const GrainProperties& properties, const ::nscd::Grains& grains, const Time& time)
+{
+    if (grains.clumps.empty()) return;
+    const auto refuse = [&](const char* keyword, const char* what, const char* allowed)
+    {
+        fail({placeInDictionaryFile(time.globalPath()/time.constant()/"grainProperties", keyword), what, "", allowed});
+    };
+    if (properties.hasCoarseGrains) refuse("grains", "has sources with `coarseGraining` beside clumps, which are of one size", "either of them");
+    if (properties.heat) refuse("heat", "stands beside clumps, whose temperatures are not followed", "single grains, or no heat");
+    if (properties.solvesFluid && grains.shape.dimensions == 2)
+    {
+        refuse("fluid", "is solved around clumps of discs, of which drag laws know nothing", "none, or `shape sphere`");
+    }
+}
+
 GrainProperties readRunnable(const Time& time, const polyMesh& mesh)
 {
     refuseCollatedFiles();
@@ -128,7 +144,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     report_ = std::make_unique<GrainReport>(time, properties_.heat != nullptr, coarse_ != nullptr);
     if (properties_.hasWalls || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
     const stringList inflow = hasFluid() ? describeInflow(immersion_->fluid->U(), immersion_->sources.fluidFraction) : stringList();
-    logScene(Info, properties_, scene_, describeTotals(), mesh, hasGrainState(mesh), inflow);
+    logScene(Info, properties_, scene_, totals(), mesh, hasGrainState(mesh), inflow);
 }
 
 GrainState CoupledRun::readState() const
@@ -167,12 +183,14 @@ RunNumbers CoupledRun::startGrains()
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;
     if (state.extras.scalars.count(coarseness.name) && !coarse_) startCoarseGrains();
     state = ranks_.share(state, {});
-    memory_.start(state.grains.size());
-    if (coarse_ && !isRestart) coarse_->start(state.extras.scalars.at(coarseness.name));
     dynamics_ = std::make_unique<::nscd::GrainDynamics>
     (
         std::move(state.grains), properties_.materials.table, scene_.walls, scene_.box, properties_.contact, ranks_.exchange()
     );
+    checkClumps(properties_, dynamics_->grains(), time_);
+    bodies_.update(dynamics_->grains());
+    memory_.start(bodies().size());
+    if (coarse_ && !isRestart) coarse_->start(state.extras.scalars.at(coarseness.name));
     access_.show(dynamics_->grains());
     if (ranks_.isParallel()) access_.showRanks(ranks_.tree().all());
     if (!isRestart) return {};
@@ -182,7 +200,7 @@ RunNumbers CoupledRun::startGrains()
 
 void CoupledRun::goOnFrom(const GrainState& state)
 {
-    memory_.recall(state.extras, Info);
+    memory_.recall(bodies_.ofFirstGrains(state.extras), Info);
     if (coarse_ && !coarse_->isSound())
     {
         fail({placeInFile(time_.timePath()/"lagrangian/grains", coarseness.name), "is damaged", "", "numbers of 1 and more"});

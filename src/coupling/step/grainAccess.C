@@ -74,6 +74,10 @@ std::vector<scalarField> GrainAccess::perVolume(std::vector<std::vector<scalar>>
     std::vector<scalarField> cells(amounts.size(), scalarField(nCells_, Zero));
     // A mapping that never saw grains has no shares.
     if (!*mapping_ || returnReduce(label(grains_->nOwned), sumOp<label>()) == 0) return cells;
+    if ((*mapping_)->hasBodies())
+    {
+        FatalErrorInFunction << "Function objects that lay amounts of grains down in cells know no clumps; remove them." << exit(FatalError);
+    }
     GrainValues values;
     for (std::vector<scalar>& amount : amounts) values.scalars.push_back(&amount);
     atHome_->toHomes(values);

@@ -8,6 +8,7 @@
 #include "nscd/base/invalidValue.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nscd
 {
@@ -15,10 +16,28 @@ namespace nscd
 namespace
 {
 
-void refuseDrag(const Grains& grains, const std::vector<double>& drag, int grain)
+/// What acts on a clump from outside: sums over its members.
+struct OuterForces
 {
-    if (drag.empty() || drag[grain] == 0.0) return;
-    throw invalidValue("implicit drag on grain " + std::to_string(grains.id[grain]), drag[grain], "0 for members of clumps");
+    Vec3 force = Vec3::Zero();     ///< [N]
+    Vec3 torque = Vec3::Zero();    ///< [N m]
+    double drag = 0.0;             ///< implicit [kg/s]
+    double spinDrag = 0.0;         ///< implicit [N m s]
+
+    void add(const ExternalForces& from, int grain)
+    {
+        if (!from.force.empty()) force += from.force[grain];
+        if (!from.torque.empty()) torque += from.torque[grain];
+        if (!from.implicitDrag.empty()) drag += from.implicitDrag[grain];
+        if (!from.implicitSpinDrag.empty()) spinDrag += from.implicitSpinDrag[grain];
+    }
+};
+
+void checkFinite(const OuterForces& outer, std::size_t clump)
+{
+    const bool isFinite = outer.force.allFinite() && outer.torque.allFinite() && outer.drag >= 0.0 && std::isfinite(outer.drag)
+        && outer.spinDrag >= 0.0 && std::isfinite(outer.spinDrag);
+    if (!isFinite) throw invalidValue("force on clump " + std::to_string(clump), "not finite", "finite forces and drag >= 0");
 }
 
 /// Where there is an empty axis nothing moves along it, or turns about another, by round-off.
@@ -28,6 +47,28 @@ void flatten(const GrainShape& shape, Vec3& v, Vec3& omega)
     const Vec3 axis = Vec3::Unit(shape.emptyAxis);
     v = v.cwiseProduct(Vec3::Ones() - axis);
     omega = omega.cwiseProduct(axis);
+}
+
+/// The spin drag C acts along the turn of the free body: with w its midpoint spin, (J + dt C) w_free = J w, and the momentum is what that leaves.
+void setFreeBody(GeneralBody& body, const Grains& grains, std::size_t c, const OuterForces& outer, double deltaT)
+{
+    const Clumps& clumps = grains.clumps;
+    const ClumpShape& shape = clumps.shapeOf(c);
+    const double mass = shape.mass + deltaT*outer.drag;
+    body.invMass = 1.0/mass;
+    body.v = body.freeV = outer.drag > 0.0 ? Vec3((shape.mass*clumps.velocity[c] + deltaT*outer.force)/mass)
+                                           : Vec3(clumps.velocity[c] + deltaT/shape.mass*outer.force);
+    body.inertia = grains.shape.dimensions == 2 ? shape.inertia : worldInertia(clumps, c);
+    body.invInertia = body.inertia.inverse();
+    body.freeMomentum = clumps.angularMomentum[c] + deltaT*outer.torque;
+    body.freeOmega = midpointSpin(clumps.orientation[c], shape.inertia, body.freeMomentum, deltaT);
+    if (outer.spinDrag > 0.0)
+    {
+        body.invInertia = (body.inertia + deltaT*outer.spinDrag*Eigen::Matrix3d::Identity()).inverse();
+        body.freeOmega = body.invInertia*(body.inertia*body.freeOmega);
+        body.freeMomentum -= deltaT*outer.spinDrag*body.freeOmega;
+    }
+    body.omega = body.freeOmega;
 }
 
 void setMotion(Body& body, const Vec3& v, const Vec3& omega, const Vec3& arm, double radius)
@@ -57,27 +98,17 @@ void checkGeneralBodies
 void setFreeGeneral(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT)
 {
     const Clumps& clumps = grains.clumps;
-    std::vector<Vec3> force(clumps.size(), Vec3::Zero()), torque = force;
+    std::vector<OuterForces> outer(clumps.size());
     for (GeneralMember& member : list.general.members)
     {
-        const int grain = list.grainOf[member.body];
-        refuseDrag(grains, forces.implicitDrag, grain);
-        refuseDrag(grains, forces.implicitSpinDrag, grain);
-        if (!forces.force.empty()) force[member.owner] += forces.force[grain];
-        if (!forces.torque.empty()) torque[member.owner] += forces.torque[grain];
+        outer[member.owner].add(forces, list.grainOf[member.body]);
         member.arm = clumps.orientation[member.owner]*member.center;
     }
     for (std::size_t c = 0; c < clumps.size(); ++c)
     {
-        GeneralBody& body = list.general.bodies[c];
-        const ClumpShape& shape = clumps.shapeOf(c);
-        body.invMass = 1.0/shape.mass;
-        body.inertia = grains.shape.dimensions == 2 ? shape.inertia : worldInertia(clumps, c);
-        body.invInertia = body.inertia.inverse();
-        flatten(grains.shape, force[c], torque[c]);
-        body.freeMomentum = clumps.angularMomentum[c] + deltaT*torque[c];
-        body.v = body.freeV = clumps.velocity[c] + deltaT/shape.mass*force[c];
-        body.omega = body.freeOmega = midpointSpin(clumps.orientation[c], shape.inertia, body.freeMomentum, deltaT);
+        checkFinite(outer[c], c);
+        flatten(grains.shape, outer[c].force, outer[c].torque);
+        setFreeBody(list.general.bodies[c], grains, c, outer[c], deltaT);
     }
     // No kernel moves members; whoever compares the masses of bodies finds those of clumps.
     for (const GeneralMember& member : list.general.members)

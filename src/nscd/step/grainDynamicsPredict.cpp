@@ -56,13 +56,18 @@ void noteTrialChange(ContactList& list, const SlotImpulses& before)
 
 } // namespace
 
-/// Of the solve that was made last. What sleeps outside the list has its forces of before.
+/// Of the solve that was made last. What sleeps outside the list has its forces of before. Members have the velocity of their clump's mass center:
+/// what answers a force on any of them.
 Prediction GrainDynamics::Implementation::predicted(SolveReport solve)
 {
     Prediction prediction;
     prediction.solve = std::move(solve);
     prediction.velocity.assign(grains.size(), Vec3::Zero());
     for (int body = 0; body < list.owned(); ++body) prediction.velocity[list.grainOf[body]] = Vec3(list.bodies[body].v);
+    for (const GeneralMember& member : list.general.members)
+    {
+        prediction.velocity[list.grainOf[member.body]] = list.general.bodies[member.owner].v;
+    }
     ContactForces onGrains = forces;
     giveToGrains(forcesOnBodies(), list.grainOf, onGrains);
     prediction.contactForce = std::move(onGrains.force);

@@ -336,9 +336,7 @@ const std::vector<Bad> bad =
     {first + "patches { outlet { type wall; material steele; } }", {"patches.outlet.material", "nearest: steel"}},
     {first + "patches { \"out.*\" { type wall; material glass; surfaceVelocity 1; } }", {"patches.out.*.surfaceVelocity", "single value"}},
     {first + "timeStep { subCycles 0; }", {"timeStep.subCycles", ">= 1"}},
-    {first + "parallel { maxLoadImbalance 1; }", {"parallel.maxLoadImbalance", "> 1"}},
-    {glass + contacts + "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); diameter 1; clump { members ((0 0 0)); diameter 1; } }",
-        {"grains.clump", "is for nscdGrains alone"}}
+    {first + "parallel { maxLoadImbalance 1; }", {"parallel.maxLoadImbalance", "> 1"}}
 };
 
 } // namespace

@@ -217,7 +217,7 @@ TEST_F(Placements, refuseClumpsWhereThereAreNone)
     }
     catch (const input::InputError& error)
     {
-        EXPECT_NE(std::string(error.what()).find("scene, line 2: keyword grains.clump is for nscdGrains alone"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("scene, line 2: keyword grains.clump is for runs on one rank"), std::string::npos) << error.what();
     }
     EXPECT_NO_THROW(read(source + "}", without));
 }

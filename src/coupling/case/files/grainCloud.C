@@ -4,6 +4,7 @@
 // Writing and reading the state of the grains.
 #include "coupling/base/vectorConversion.H"
 #include "coupling/case/files/cloudFiles.H"
+#include "coupling/case/files/clumpFiles.H"
 #include "coupling/case/files/grainCloud.H"
 #include "coupling/case/files/processorFolders.H"
 #include "coupling/case/files/processorNames.H"
@@ -72,6 +73,7 @@ void writeGrains(const polyMesh& mesh, const nscd::Grains& grains, const GrainEx
     cloud.write("isFixed", converted<label>(grains.isFixed, [](std::uint8_t fixed) { return label(fixed); }));
     for (const auto& extra : extras.scalars) cloud.write(extra.first, converted<scalar>(extra.second, [](scalar x) { return x; }));
     for (const auto& extra : extras.vectors) cloud.write(extra.first, vectorsOf(extra.second));
+    writeMembership(cloud, grains);
 }
 
 void writeContacts
@@ -280,6 +282,7 @@ void writeGrainState
 )
 {
     writeGrains(mesh, state.grains, state.extras, cells);
+    writeClumps(mesh, state.grains, cells);
     writeContacts(mesh, state.contacts, state.grains, materials, cells);
     RunState run;
     run.nGrains = returnReduce(label(state.grains.size()), sumOp<label>());
@@ -328,6 +331,7 @@ GrainState readGrainState
     }
     GrainState state;
     state.grains = readGrains(mesh, run, materials, shape);
+    readClumps(mesh, materials, state.grains);
     state.extras = readExtras(mesh, expected);
     state.contacts = readContacts(mesh, run, state.grains, expected.nWallRegions);
     state.numbers = run.numbers;

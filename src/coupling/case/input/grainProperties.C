@@ -263,7 +263,7 @@ input::Surroundings foamSurroundings(const fileName& casePath)
         return inFolder(path, path.find('/') == std::string::npos ? constant/"triSurface" : casePath);
     };
     around.nRanks = Pstream::nProcs();
-    around.hasClumps = false;
+    around.hasClumps = !Pstream::parRun();
     around.sleepsByDefault = false;
     around.hasCoarseGrains = true;
     around.sizeModels = foamSizeModels();

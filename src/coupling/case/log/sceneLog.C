@@ -31,10 +31,11 @@ string namesOf(const labelList& patches, const polyMesh& mesh)
 string describeGrains(const GrainTotals& grains, const nscd::GrainShape& shape)
 {
     if (grains.number == 0) return "none";
+    const std::string clumps = grains.clumps == 0 ? "" : formatted(", those of %lld clumps included", static_cast<long long>(grains.clumps));
     return formatted
     (
-        "%lld %s, diameter %.4g to %.4g m, volume %.6g m3",
-        static_cast<long long>(grains.number), shape.dimensions == 2 ? "discs" : shape.emptyAxis < 0 ? "spheres" : "spheres in a plane",
+        "%lld %s%s, diameter %.4g to %.4g m, volume %.6g m3",
+        static_cast<long long>(grains.number), shape.dimensions == 2 ? "discs" : shape.emptyAxis < 0 ? "spheres" : "spheres in a plane", clumps.c_str(),
         grains.diameterMin, grains.diameterMax, grains.volume
     );
 }

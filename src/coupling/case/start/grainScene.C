@@ -16,6 +16,8 @@
 #include "dynamicFvMesh.H"
 #include "Time.H"
 
+#include <limits>
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -92,12 +94,15 @@ nscd::Grains makeFirstGrains
     const auto keep = [&](nscd::Grains& batch)
     {
         homes.keepOwn(batch);
-        grains.append(batch);
+        // Clumps come in one batch with all that there is.
+        if (batch.clumps.empty()) grains.append(batch);
+        else grains = batch;
     };
     input::Surroundings around = surroundingsIn(mesh);
     around.shape = scene.space.shape;
     const auto tell = [](const std::string& line) { Info<< line.c_str() << nl; };
-    const input::PlacementTools tools = {foamRandom, readFoamPositions, grainsInBatch, &scene.walls, tell, factors};
+    input::PlacementTools tools = {foamRandom, readFoamPositions, grainsInBatch, &scene.walls, tell, factors};
+    if (properties.hasClumps()) tools.grainsInBatch = std::numeric_limits<std::size_t>::max();
     toldByFoam([&] { input::placeGrains(properties, around, tools, keep); });
     homes.checkNoneOutside();
     checkGrains(grains, scene, properties, mesh, exchange);

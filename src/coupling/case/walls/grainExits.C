@@ -12,6 +12,9 @@
 #include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
 
+#include <algorithm>
+#include <map>
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -162,10 +165,58 @@ labelList nearestPatches(const polyMesh& mesh, const pointField& positions, cons
 }
 
 
+ExitedGrains withWholeClumps(const nscd::Grains& grains, const ExitedGrains& exited)
+{
+    const std::vector<int> clumpOf = nscd::clumpOfGrains(grains);
+    if (clumpOf.empty()) return exited;
+    std::map<std::size_t, label> patchOf;
+    forAll(exited.patches, k)
+    {
+        const std::size_t grain = exited.grains[k];
+        const int clump = clumpOf[grain];
+        const std::size_t first = clump < 0 ? grain : grains.clumps.firstMember[clump];
+        const std::size_t number = clump < 0 ? 1 : grains.clumps.shapeOf(clump).members.size();
+        for (std::size_t i = first; i < first + number; ++i) patchOf.emplace(i, exited.patches[k]);
+    }
+    ExitedGrains all;
+    for (const auto& [grain, patch] : patchOf)
+    {
+        all.grains.push_back(grain);
+        all.patches.append(patch);
+    }
+    return all;
+}
+
+
+namespace
+{
+
+/// Those with their first member among the indices go; the others' members move up.
+void eraseClumps(nscd::Clumps& clumps, const std::vector<std::size_t>& indices)
+{
+    std::vector<std::size_t> gone;
+    for (std::size_t c = 0; c < clumps.size(); ++c)
+    {
+        const auto before = std::lower_bound(indices.begin(), indices.end(), std::size_t(clumps.firstMember[c]));
+        if (before != indices.end() && *before == std::size_t(clumps.firstMember[c])) gone.push_back(c);
+        clumps.firstMember[c] -= int(before - indices.begin());
+    }
+    eraseAt(clumps.shape, gone);
+    eraseAt(clumps.firstMember, gone);
+    eraseAt(clumps.position, gone);
+    eraseAt(clumps.orientation, gone);
+    eraseAt(clumps.velocity, gone);
+    eraseAt(clumps.angularMomentum, gone);
+}
+
+} // namespace
+
+
 void eraseGrains(nscd::Grains& grains, const std::vector<std::size_t>& indices)
 {
     grains.forEachArray([&indices](auto& values) { eraseAt(values, indices); });
     grains.nOwned = grains.size();
+    eraseClumps(grains.clumps, indices);
 }
 
 } // namespace nscdCoupling

@@ -131,6 +131,56 @@ TEST(ClumpMotion, oneBallIsASphere)
     }
 }
 
+/// A clump of one ball under forces and drag that are implicit in its velocity and spin moves as a sphere does, falling and lying.
+TEST(ClumpMotion, dragOnOneBallIsThatOnASphere)
+{
+    Scene sphere(3, 0.3, 0.0), clump(3, 0.3, 0.0);
+    for (Scene* scene : {&sphere, &clump}) scene->addPlane(Vec3::Zero(), Vec3::UnitZ());
+    sphere.addGrain(Vec3(0, 0, 0.015), memberRadius);
+    sphere.grains.velocity[0] = Vec3(0.4, 0, -1);
+    sphere.grains.omega[0] = Vec3(0, 30, 5);
+    addClump(clump, addShape(clump, {{Vec3(0, 0, 0), memberRadius}}), Vec3(0, 0, 0.015), Quaternion::Identity(), Vec3(0.4, 0, -1), Vec3(0, 30, 5));
+    auto one = sphere.build(), other = clump.build();
+    const double mass = one.grains().mass[0], inertia = 0.4*mass*memberRadius*memberRadius, deltaT = 1e-3;
+    nscd::ExternalForces forces;
+    forces.force = {mass*Vec3(0.2, 0, -9.81)};
+    forces.torque = {inertia*Vec3(3, -2, 7)};
+    forces.implicitDrag = {20*mass};
+    forces.implicitSpinDrag = {70*inertia};
+    for (int k = 0; k < 60; ++k)
+    {
+        for (auto* dynamics : {&one, &other})
+        {
+            dynamics->beginStep(deltaT);
+            dynamics->advance(forces);
+        }
+        ASSERT_LT((one.grains().velocity[0] - other.grains().velocity[0]).norm(), 1e-9) << k;
+        ASSERT_LT((one.grains().omega[0] - other.grains().omega[0]).norm(), 1e-7) << k;
+    }
+    EXPECT_GT(one.contactForce()[0][2], 0.0);
+}
+
+/// Drag and forces on any of the members are those on the clump: dv m = dt (f - gamma v'), and its spin decays as J' = -C omega says.
+TEST(ClumpMotion, dragOnMembersAddsUp)
+{
+    Scene scene(3, 0.0, 0.0);
+    addClump(scene, addShape(scene, dumbbell()), Vec3::Zero(), Quaternion::Identity(), Vec3(1, 2, 3), Vec3(0, 0, 10));
+    const double mass = scene.grains.clumps.shapeOf(0).mass, inertia = scene.grains.clumps.shapeOf(0).inertia(2, 2), deltaT = 1e-3;
+    auto dynamics = scene.build();
+    nscd::ExternalForces forces;
+    forces.force = {mass*Vec3(5, 0, 0), mass*Vec3(0, 7, 0)};
+    forces.implicitDrag = {30*mass, 70*mass};
+    forces.implicitSpinDrag = {0.0, 50*inertia};
+    dynamics.beginStep(deltaT);
+    const nscd::Prediction predicted = dynamics.predict(forces);
+    dynamics.advance(forces);
+    const Vec3 expected = (Vec3(1, 2, 3) + deltaT*Vec3(5, 7, 0))/(1 + 100*deltaT);
+    EXPECT_LT((dynamics.grains().clumps.velocity[0] - expected).norm(), 1e-14);
+    for (const Vec3& velocity : predicted.velocity) EXPECT_LT((velocity - expected).norm(), 1e-14);
+    EXPECT_NEAR(dynamics.grains().clumps.angularMomentum[0][2], inertia*10/(1 + 50*deltaT), 1e-13*inertia);
+    EXPECT_NEAR(dynamics.grains().omega[0][2], 10/(1 + 50*deltaT), 1e-12);
+}
+
 /// Two dumbbells that meet across a periodic side do what they do in the middle of the box.
 TEST(ClumpMotion, periodicSidesChangeNothing)
 {
@@ -217,7 +267,7 @@ TEST(ClumpMotion, whatDoesNotWorkIsRefused)
     auto dynamics = scene.build();
     dynamics.beginStep(1e-3);
     nscd::ExternalForces forces;
-    forces.implicitDrag = {1.0, 0.0};
+    forces.implicitDrag = {-1.0, 0.0};
     EXPECT_THROW(dynamics.advance(forces), std::invalid_argument);
     const auto onRanks = [&]
     {
