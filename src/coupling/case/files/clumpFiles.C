@@ -38,7 +38,7 @@ List<Value> ofClumps(const nscd::Clumps& clumps, const Of& of)
 struct WrittenClumps
 {
     labelList id, members;
-    vectorField position, velocity, axisPart, angularMomentum, diagonal, offDiagonal;
+    vectorField position, velocity, axisPart, angularMomentum, inertiaX, inertiaY, inertiaZ;
     scalarField w, mass;
 
     explicit WrittenClumps(const CloudReader& cloud)
@@ -49,18 +49,17 @@ struct WrittenClumps
         velocity(cloud.vectors("U")),
         axisPart(cloud.vectors("orientation")),
         angularMomentum(cloud.vectors("angularMomentum")),
-        diagonal(cloud.vectors("inertiaDiagonal")),
-        offDiagonal(cloud.vectors("inertiaOffDiagonal")),
+        inertiaX(cloud.vectors("inertiaX")),
+        inertiaY(cloud.vectors("inertiaY")),
+        inertiaZ(cloud.vectors("inertiaZ")),
         w(cloud.scalars("orientationW")),
         mass(cloud.scalars("mass"))
     {}
 
     Eigen::Matrix3d inertia(label c) const
     {
-        const vector& d = diagonal[c];
-        const vector& o = offDiagonal[c];
         Eigen::Matrix3d tensor;
-        tensor << d.x(), o.z(), o.y(), o.z(), d.y(), o.x(), o.y(), o.x(), d.z();
+        tensor << toVec3(inertiaX[c]).transpose(), toVec3(inertiaY[c]).transpose(), toVec3(inertiaZ[c]).transpose();
         return tensor;
     }
 };
@@ -199,8 +198,10 @@ void writeClumps(const polyMesh& mesh, const nscd::Grains& grains, const labelUL
     cloud.write("orientationW", ofClumps<scalar>(clumps, [&](std::size_t c) { return clumps.orientation[c].w(); }));
     cloud.write("angularMomentum", vectors([&](std::size_t c) { return clumps.angularMomentum[c]; }));
     cloud.write("mass", ofClumps<scalar>(clumps, [&](std::size_t c) { return clumps.shapeOf(c).mass; }));
-    cloud.write("inertiaDiagonal", vectors([&](std::size_t c) { return Vec3(inertia(c).diagonal()); }));
-    cloud.write("inertiaOffDiagonal", vectors([&](std::size_t c) { return Vec3(inertia(c)(1, 2), inertia(c)(2, 0), inertia(c)(0, 1)); }));
+    // Its two halves differ by round-off.
+    cloud.write("inertiaX", vectors([&](std::size_t c) { return Vec3(inertia(c).row(0)); }));
+    cloud.write("inertiaY", vectors([&](std::size_t c) { return Vec3(inertia(c).row(1)); }));
+    cloud.write("inertiaZ", vectors([&](std::size_t c) { return Vec3(inertia(c).row(2)); }));
 }
 
 
