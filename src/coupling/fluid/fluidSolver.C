@@ -209,7 +209,8 @@ void FluidSolver::updateAbsolutePressure()
 
 CourantNumber FluidSolver::courantNumber() const
 {
-    return nscdCoupling::courantNumber(convectingFlux(fields_.phi), sources_.fluidFraction);
+    if (mesh_.moving()) return nscdCoupling::courantNumber(convectingFlux(fields_.phi), sources_.fluidFraction);
+    return nscdCoupling::courantNumber(fields_.phi, sources_.fluidFraction);
 }
 
 

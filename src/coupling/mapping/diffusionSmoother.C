@@ -4,6 +4,7 @@
 // Conservative smoothing of cell fields over a length, by one implicit diffusion step.
 #include "coupling/mapping/diffusionSmoother.H"
 
+#include "cyclicAMIFvPatch.H"
 #include "cyclicPolyPatch.H"
 #include "processorFvPatch.H"
 #include "gaussLaplacianScheme.H"
@@ -44,6 +45,15 @@ wordList borderTypes(const fvMesh& mesh)
     return types;
 }
 
+/// Grains reach no cells beyond a patch between halves of a mesh that slide past each other, and neither does what they are smoothed to.
+void closeSliding(surfaceScalarField& faces)
+{
+    forAll(faces.boundaryField(), patchI)
+    {
+        if (isA<cyclicAMIFvPatch>(faces.mesh().boundary()[patchI])) faces.boundaryFieldRef()[patchI] = 0;
+    }
+}
+
 } // namespace
 
 DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const scalar length)
@@ -67,12 +77,13 @@ DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const scalar length)
             borderTypes(mesh)
         )
     );
-    const dimensionedScalar minusDiffusion("minusDiffusion", dimArea, -area_);
+    surfaceScalarField minusDiffusion("minusDiffusion", dimensionedScalar("diffusion", dimArea, -area_)*mesh.magSf());
+    closeSliding(minusDiffusion);
     matrix_ = autoPtr<fvScalarMatrix>
     (
         fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
         (
-            surfaceScalarField(minusDiffusion*mesh.magSf()), mesh.nonOrthDeltaCoeffs(), solution_()
+            minusDiffusion, mesh.nonOrthDeltaCoeffs(), solution_()
         ).ptr()
     );
     matrix_->diag() += mesh.V();

@@ -173,6 +173,13 @@ scalar GrainMapping::buildRow(const LocatedBall& ball)
     {
         sum += weights_.shares[k].share;
     }
+    // A small grain in a sliver between halves of a mesh that slide past each other reaches no cell.
+    if (sum <= 0)
+    {
+        weights_.shares.resize(first);
+        weights_.shares.push_back({ball.cell, 1});
+        sum = 1;
+    }
     for (std::size_t k = first; k < weights_.shares.size(); ++k)
     {
         weights_.shares[k].share /= sum;

@@ -18,7 +18,7 @@ void CoupledRun::moveMesh()
 {
     if (!movesMesh()) return;
     const auto timer = timing_.time(StepPart::depositGrains);
-    refCast<dynamicFvMesh>(mesh_).update();
+    dynamic_cast<dynamicFvMesh&>(mesh_).update();
     checkMovedMesh(mesh_, scene_.box);
     scene_.movingPatches->follow(time_.value());
     if (locations_) locations_ = std::make_unique<GrainLocations>(mesh_);

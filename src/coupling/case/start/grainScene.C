@@ -31,10 +31,10 @@ nscd::RandomNumbers foamRandom(std::uint64_t seed)
     return [random = Random(label(seed))]() mutable { return random.sample01<scalar>(); };
 }
 
-/// The walls of the mesh come first.
-void moveWithMesh(GrainScene& scene, const polyMesh& mesh)
+/// The walls of the mesh come first. Where there will be no grains, walls may do what they like.
+void moveWithMesh(GrainScene& scene, const polyMesh& mesh, bool hasGrains)
 {
-    const labelList walls = scene.roles.ofRole(PatchRole::wall);
+    const labelList walls = hasGrains ? scene.roles.ofRole(PatchRole::wall) : labelList();
     scene.movingPatches = std::make_shared<MovingPatches>(mesh, walls);
     for (label k = 0; k < walls.size(); ++k) scene.walls.setMotion(int(k), motionOf(scene.movingPatches, std::size_t(k)));
 }
@@ -73,7 +73,7 @@ GrainScene makeGrainScene(const GrainProperties& properties, const polyMesh& mes
     checkGravity(gravity, scene.space, mesh.time());
     scene.roles = assignPatchRoles(properties, mesh);
     scene.walls = makeMeshWalls(properties, scene.roles, mesh);
-    if (isA<dynamicFvMesh>(mesh)) moveWithMesh(scene, mesh);
+    if (isA<dynamicFvMesh>(mesh)) moveWithMesh(scene, mesh, properties.hasAnySource());
     scene.box = periodicBox(mesh);
     checkMeanFlow(properties, scene.box);
     return scene;

@@ -123,6 +123,8 @@ bool MovingPatches::slidesInItself(const Patch& patch, const pointField& points)
 nscd::WallPose MovingPatches::pose(std::size_t k, scalar time) const
 {
     const Patch& patch = patches_[k];
+    // Before the first step there is one pose, whatever the time.
+    if (next_ == now_) return patch.next;
     const scalar slack = 1e-6*(next_ - now_) + SMALL*mag(next_);
     if (mag(time - next_) <= slack) return patch.next;
     if (mag(time - now_) <= slack) return patch.now;

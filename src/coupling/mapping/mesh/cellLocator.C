@@ -6,6 +6,7 @@
 #include "coupling/mapping/mesh/cellLocator.H"
 
 #include "cyclicAMIPolyPatch.H"
+#include "emptyPolyPatch.H"
 
 namespace Foam
 {
@@ -199,6 +200,7 @@ label CellLocator::searchBetweenHalves(const Vec3& x) const
     label cell = -1;
     for (const polyPatch& patch : patches)
     {
+        if (isA<emptyPolyPatch>(patch)) continue;
         const bool isSliding = isA<cyclicAMIPolyPatch>(patch);
         forAll(patch, k)
         {
