@@ -119,8 +119,8 @@ TEST(ExampleFile, showsEveryKeywordOfSourcesAndPatchesInOneOfThem)
         // `planes` are walls of type plane.
         const bool isPlanes = list == std::string("planes");
         Words shown = isPlanes ? Words{"sides", "motion", "torquePoint", "surfaceVelocity", "surfaceRotation"} : Words(), known;
-        // One of the four amounts of a filling stands there, packing; comments show the others.
-        if (list == std::string("grains")) shown = {"number", "mass", "solidFraction"};
+        // One of the four amounts of a filling stands there, packing; comments show the others, and clumps, which know no laws beside Coulomb's.
+        if (list == std::string("grains")) shown = {"number", "mass", "solidFraction", "clump"};
         for (const word& name : names)
         {
             for (const word& keyword : example.subDict(list).subDict(name).toc()) shown.push_back(keyword);
