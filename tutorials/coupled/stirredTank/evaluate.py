@@ -11,7 +11,7 @@ from pictures import BLUE, GRAY, newPicture, drawGrains, savePicture, writeResul
 FLOOR, HALF, OMEGA = -0.05, 0.05, 4*math.pi
 PADDLE = ((0.033, 0.006), (-0.033, 0.006), (-0.033, -0.006), (0.033, -0.006))
 BED = 0.01    # above the four layers that the grains lie in at first [m]
-SHOWN = ("0", "0.5", "1.5", "3")
+SHOWN = ("0.25", "0.5", "1", "2")
 
 
 def paddle(time):
