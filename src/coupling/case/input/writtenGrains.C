@@ -185,7 +185,7 @@ input::WrittenGrains readCloud(const WrittenTime& time, const input::GrainSource
     const dictionary state = stateOf(time);
     const wordList names = state.get<wordList>("materials");
     const WrittenCloud cloud(time);
-    if (cloud.found("clump")) throw InputError({source.filePlace, "holds clumps, of which `time` takes the members alone", "", "a case of single grains"});
+    if (cloud.has("clump")) throw InputError({source.filePlace, "holds clumps, of which `time` takes the members alone", "", "a case of single grains"});
     const Field<label> id = cloud.read<label>("origId"), material = cloud.read<label>("material"), fixed = cloud.read<label>("isFixed");
     const Field<vector> x = cloud.read<vector>("position"), u = cloud.read<vector>("U"), omega = cloud.read<vector>("omega");
     const Field<vector> axis = cloud.read<vector>("orientation");
