@@ -12,6 +12,7 @@
 using namespace Foam;
 using namespace Foam::nscdCoupling;
 using namespace Foam::nscdCoupling::testing;
+using Vec3 = ::nscd::Vec3;
 
 namespace
 {
