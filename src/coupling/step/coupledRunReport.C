@@ -25,6 +25,10 @@ namespace nscdCoupling
 namespace
 {
 
+/// Mean cell over mean diameter, below which a stiff exchange of momentum was seen to grow (tests/benchmark/run coupledMap): not at 0.43,
+/// at 0.3.
+constexpr scalar smallCells = 0.43;
+
 label pressureIterations(const fvMesh& mesh)
 {
     List<SolverPerformance<scalar>> solves;
@@ -125,6 +129,15 @@ scalar CoupledRun::owedShare() const
     return sums[0]/std::max(sums[1], VSMALL);
 }
 
+/// Of the slip between grains and the fluid around them, in the fullest cell.
+/// Equation: dt/tau = k (1 + phi rho_p/(alpha rho)), k = gamma dt/m; as for C07
+scalar CoupledRun::stepOverRelaxation(const FluidSummary& summary) const
+{
+    const std::vector<double>& density = properties_.materials.density;
+    const scalar heaviest = *std::max_element(density.begin(), density.end()), alpha = summary.fluidFractionMin;
+    return summary.dragRatioMax*(1 + (1 - alpha)*heaviest/(alpha*fluidDensity()));
+}
+
 FluidSummary CoupledRun::describeFluid() const
 {
     FluidSummary summary;
@@ -153,6 +166,7 @@ FluidSummary CoupledRun::describeFluid() const
     summary.pressureIterations = pressureIterations(mesh_);
     summary.continuityError = immersion_->fluid->continuityError().largest*time_.deltaTValue();
     summary.fluidFractionMin = gMin(immersion_->sources.fluidFraction.primitiveField());
+    if (feedsBack() && relativeCellSize_ < smallCells) summary.stepOverRelaxation = stepOverRelaxation(summary);
     return summary;
 }
 

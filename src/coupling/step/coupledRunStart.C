@@ -232,6 +232,7 @@ void CoupledRun::startFluid()
     {
         const scalar cellSize = meanCellSize(mesh_);
         voidFraction_ = properties_.voidFraction.forMapping(meanDiameter_, cellSize);
+        relativeCellSize_ = cellSize/meanDiameter_;
         largestDiameter_ = returnReduce(input::largestDiameter(properties_, grains), maxOp<scalar>());
         tellChosenWidth(properties_.voidFraction, meanDiameter_, cellSize);
         makeMapping();

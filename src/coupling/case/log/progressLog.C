@@ -47,6 +47,11 @@ const WarningRow warningRows[] =
         [](const StepRow&, const FluidSummary& f) { return f.beyondFraction; }, 1e-6, "beyond its alpha"
     },
     {
+        "Warning", "stiff in small cells",
+        "drag this stiff can drive waves between grains and fluid in cells below half a diameter: take larger cells, or shorter steps",
+        [](const StepRow&, const FluidSummary& f) { return f.stepOverRelaxation; }, 10, "relaxation times a step"
+    },
+    {
         "Note", "momentum owed", "grains took other momentum from the fluid than it was told: half of what they owe is repaid in each step",
         [](const StepRow&, const FluidSummary& f) { return f.owedShare; }, 0.01, "of what grains received"
     },
