@@ -184,7 +184,7 @@ scalar GrainMapping::buildRow(const LocatedBall& ball, WeightMatrix& rows)
         sum += rows.shares[k].share;
     }
     // A small grain in a sliver between halves of a mesh that slide past each other reaches no cell.
-    if (sum <= 0)
+    if (sum <= 0 && layout_->mesh.isOwn(ball.cell))
     {
         rows.shares.resize(first);
         rows.shares.push_back({ball.cell, 1});

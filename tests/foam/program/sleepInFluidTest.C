@@ -22,7 +22,7 @@ Files onTheFloor(const std::string& sleep)
     return
     {
         {"constant/grainProperties",
-            "materials { glass { density 2500; } } contacts { default { friction 0.3; rollingFriction 0.1; } } solver { sleep " + sleep + "; } "
+            "materials { glass { density 2500; } } contacts { default { friction 0.3; rollingFriction 0.1; } } solver { sleep " + sleep + "; } forces { drag { law Gidaspow; } } "
             "grains { type table; file \"floor.txt\"; } patches { front { type wall; } back { type exit; } }"},
         {"0/U",
             "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { "
