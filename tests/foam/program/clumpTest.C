@@ -142,9 +142,10 @@ TEST(ClumpsInRuns, goOnFromAWrittenTimeAsIfNeverStopped)
         "lagrangian/clumps/angularMomentum", "lagrangian/clumps/mass", "lagrangian/contacts/impulse", "uniform/grainState"
     };
     const std::string falling = "velocity (0.3 0.1 -0.5); " + eight, binary = "writeFormat binary; writeInterval 20; ";
-    for (const std::string fluid : {"fluid none;", ""})
+    const std::string wet = "forces { drag { law Gidaspow; } }";
+    for (const std::string& fluid : {std::string("fluid none;"), wet})
     {
-        const Files files = fluid.empty() ? Files{{"constant/grainProperties", head + lattice(falling, pebble)}} : dryFiles(head + lattice(falling, pebble) + fluid);
+        const Files files = fluid == wet ? Files{{"constant/grainProperties", head + lattice(falling, pebble) + fluid}} : dryFiles(head + lattice(falling, pebble) + fluid);
         const ProgramCase whole(files, binary + "endTime 0.04;"), parts(files, binary + "endTime 0.02;");
         for (const ProgramCase* c : {&whole, &parts}) ASSERT_TRUE(succeeds(c->run()));
         // The shapes are those that were written.
