@@ -172,12 +172,8 @@ void judge(bars::CsvFile& csv, double width, double height, double pressure, dou
 int main(int count, char** arguments)
 {
     bars::CsvFile csv(arguments[0], "shear", "rate,deltaT,discs,solidFraction,pressure,I,muEff,topX,topZ,bottomX,bottomZ,overlapMax");
-    const bool isFull = count > 1 && std::strcmp(arguments[1], "full") == 0;
-    if (isFull) judge(csv, 0.2, 0.1, 2500, 100, 400, 2.5e-5);
-    else
-    {
-        judge(csv, 0.05, 0.025, 250, 100, 3200, 1e-4);
-        judge(csv, 0.05, 0.025, 2500, 100, 1600, 1e-4);
-    }
+    const auto isAsked = [&](const char* size) { return count > 1 && std::strcmp(arguments[1], size) == 0; };
+    if (isAsked("full")) judge(csv, 0.2, 0.1, 2500, 100, 400, 2.5e-5);
+    else judge(csv, 0.05, 0.025, isAsked("light") ? 250 : 2500, 100, isAsked("light") ? 3200 : 1600, 1e-4);
     return bars::status();
 }
