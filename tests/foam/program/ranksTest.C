@@ -369,7 +369,8 @@ TEST(Ranks, liftGrainsAsOneRankDoes)
 TEST(Ranks, addMassToGrainsAsOneRankDoes)
 {
     const std::string heap = wetHeap + closed + "voidFraction { filterWidth 0; }";
-    expectSameMotionOnRanks(heap, {{"constant/grainProperties", heap + "forces { addedMass on; }"}});
+    const std::string law = "drag { law Gidaspow; }";
+    expectSameMotionOnRanks(heap + "forces { " + law + " }", {{"constant/grainProperties", heap + "forces { addedMass on; " + law + " }"}});
 }
 
 /// A force on the fluid, whose pressure pushes the grains, and fluid from a point in one corner.
