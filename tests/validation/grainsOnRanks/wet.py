@@ -174,7 +174,7 @@ def fluidizedBed():
     case.fluid(1.2, 1.8e-5, sides={"zMin": inflow, "zMax": "type inletOutlet; inletValue uniform (0 0 0); value uniform (0 0 0);"},
                pressureSides={"zMin": "type fixedFluxPressure; value uniform 0;"}, U=(0, 0, BED_SPEED))
     case.grains(properties(1000, "friction 0.1; restitution 0.9;", "box (0 0 0) (%g %g %g); count (8 3 6); diameter %g; jitter 0.5;"
-                           % (size[0], size[1], 8*BED_D, BED_D), "patches { zMin { type wall; } zMax { type wall; } }"))
+                           % (size[0], size[1], 8*BED_D, BED_D), "patches { zMin { type wall; } zMax { type wall; } } forces { drag { law Gidaspow; } }"))
     case.control(BED_DT, BED_END, extra=DROP)
     return case
 
