@@ -34,8 +34,6 @@ def arguments():
     parser.add_argument("--densities", type=float, nargs="+", default=DENSITIES)
     parser.add_argument("--ratios", type=float, nargs="+", default=RATIOS)
     parser.add_argument("--atOnce", type=int, default=1, help="runs at a time (default: 1)")
-    parser.add_argument("--forces", default="", help="what else stands in forces { }, as \"addedMass on;\"")
-    parser.add_argument("--name", default="coupledMap", help="of the results (default: coupledMap)")
     return parser.parse_args()
 
 
@@ -44,20 +42,16 @@ def relaxationTime(phi, rhoGrain, mu):
     return 1/(18*mu*phi/D**2*(1/(phi*rhoGrain) + 1/((1 - phi)*RHO_FLUID)))
 
 
-def timeStep(phi, rhoGrain, ratio):
-    """Time step and viscosity: grains move 0.05 d a step, at their first speed."""
+def writeCase(phi, perCell, densityRatio, ratio):
+    """Grains move 0.05 d a step, at their first speed; tau goes with 1/mu."""
     deltaT = 0.05*D/SPEED
-    return deltaT, relaxationTime(phi, rhoGrain, 1.0)*ratio/deltaT
-
-
-def writeCase(phi, perCell, densityRatio, ratio, forces):
-    deltaT, mu = timeStep(phi, densityRatio*RHO_FLUID, ratio)
+    mu = relaxationTime(phi, densityRatio*RHO_FLUID, 1.0)*ratio/deltaT
     size = PER_AXIS*D*(math.pi/(6*phi))**(1/3)
     case = BoxCase(BUILD/("cases/coupledMap-%g-%g-%g-%g" % (phi, perCell, densityRatio, ratio)), (0, 0, 0), (size,)*3, (round(PER_AXIS/perCell),)*3)
     case.fluid(RHO_FLUID, mu, (0, 0, 0))
-    case.grains("materials { m { density %.17g; } } contacts { default { friction 0; } }\nforces { drag { law Stokes; } %s }\n"
+    case.grains("materials { m { density %.17g; } } contacts { default { friction 0; } }\nforces { drag { law Stokes; } }\n"
                 "grains { type lattice; box (0 0 0) (%.17g %.17g %.17g); count (%d %d %d); diameter %.17g; jitter 1e-3; velocity (0 0 %g); }"
-                % (densityRatio*RHO_FLUID, forces, size, size, size, PER_AXIS, PER_AXIS, PER_AXIS, D, SPEED))
+                % (densityRatio*RHO_FLUID, size, size, size, PER_AXIS, PER_AXIS, PER_AXIS, D, SPEED))
     case.control(deltaT, STEPS*deltaT, extra="""functions
 {
     speed { type fieldMinMax; libs (fieldFunctionObjects); mode magnitude; fields (U); log false; }
@@ -73,7 +67,7 @@ def written(case, name, file):
     return [line for line in path.read_text().splitlines() if not line.startswith("#")]
 
 
-def judge(case, phi, densityRatio, ratio):
+def judge(case, densityRatio, ratio):
     """Largest error of the mean slip, largest speed of the fluid and largest energy of the grains, over all steps; in shares of the first."""
     energies = numpy.array(case.report()["kineticEnergy"])/(PER_AXIS**3*math.pi/12*D**3*densityRatio*RHO_FLUID*SPEED**2)
     fluid = numpy.array([float(line.split()[-1].strip(")")) for line in written(case, "fluid", "volFieldValue.dat")])
@@ -85,10 +79,10 @@ def judge(case, phi, densityRatio, ratio):
 
 def outcome(point):
     """The row of one case."""
-    phi, perCell, density, ratio, forces = point
-    case = writeCase(phi, perCell, density, ratio, forces)
+    phi, perCell, density, ratio = point
+    case = writeCase(phi, perCell, density, ratio)
     case.run()
-    error, fastest, energy = judge(case, phi, density, ratio)
+    error, fastest, energy = judge(case, density, ratio)
     case.remove()
     stable = energy <= GROWTH and fastest <= FASTEST
     cell = perCell*(math.pi/(6*phi))**(1/3)
@@ -96,7 +90,7 @@ def outcome(point):
 
 
 def measure(table, options):
-    points = itertools.product(options.fractions, options.cells, options.densities, options.ratios, [options.forces])
+    points = itertools.product(options.fractions, options.cells, options.densities, options.ratios)
     with ThreadPoolExecutor(options.atOnce) as pool:
         for row in pool.map(outcome, points):
             table.add(*row)
@@ -122,7 +116,7 @@ def draw(table, options):
 
 def main():
     options = arguments()
-    table = Table(options.name, COLUMNS, larger=("slipError", "largestFluidSpeed", "energyGrowth"), smaller=("stable", "right"))
+    table = Table("coupledMap", COLUMNS, larger=("slipError", "largestFluidSpeed", "energyGrowth"), smaller=("stable", "right"))
     draw(table.inRounds(lambda table: measure(table, options), 1), options)   # no times
 
 

@@ -31,6 +31,7 @@ def arguments():
     parser.add_argument("--starts", type=int, default=5, help="disturbed starts at each step (default: 5)")
     parser.add_argument("--length", type=float, default=1.6, help="simulated seconds of each (default: 1.6)")
     parser.add_argument("--transient", type=float, default=0.3, help="seconds left out of means (default: 0.3)")
+    parser.add_argument("--at", type=float, nargs="+", default=[0.1, 0.2, 0.3, 0.5, 0.6], help="instants to show besides means [s]")
     parser.add_argument("--atOnce", type=int, default=1, help="runs at a time (default: 1)")
     parser.add_argument("--wall", type=float, default=1e9, help="seconds of the clock after which runs end where they are")
     parser.add_argument("--evaluate", action="store_true", help="only read what ran before")
@@ -108,21 +109,26 @@ def spectrum(drops):
     return numpy.fft.rfftfreq(drops.shape[1], SAMPLE), 2*SAMPLE*power.mean(axis=0)/(window**2).sum()
 
 
+def windows(options, ends):
+    """From and to, in samples: instants, and means with and without the transient up to where the runs of each step end."""
+    instants = [(round(t/SAMPLE) - 1, round(t/SAMPLE)) for t in options.at]
+    return instants + [(first, end) for first in (0, round(options.transient/SAMPLE)) for end in sorted(ends)]
+
+
 def evaluate(options):
-    table = Table("ensembles", ["deltaT", "starts", "from", "to", "meanHeight", "heightError", "meanDrop", "dropError", "dropDeviation", "peakHz"])
+    table = Table("ensembles", ["deltaT", "starts", "from", "to", "meanHeight", "heightError", "meanDrop", "dropError", "dropDeviation"])
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4))
     runs = {step: [sampled(caseOf(step, start)) for start in range(options.starts)] for step in options.steps}
-    shared = min(len(run[0]) for group in runs.values() for run in group)
-    skipped = round(options.transient/SAMPLE)
+    longest = {step: min(len(run[0]) for run in group) for step, group in runs.items()}
     for step, group in runs.items():
-        longest = min(len(run[0]) for run in group)
-        heights, drops = (numpy.array([run[i][:longest] for run in group]) for i in (0, 1))
-        for end in sorted({shared, longest}):
-            part = slice(skipped, end)
-            frequencies, power = spectrum(drops[:, part])
-            table.add(step, len(group), options.transient, end*SAMPLE, *meanAndError(heights[:, part].mean(axis=1)),
-                      *meanAndError(drops[:, part].mean(axis=1)), drops[:, part].std(axis=1).mean(), frequencies[power.argmax()])
+        heights, drops = (numpy.array([run[i][:longest[step]] for run in group]) for i in (0, 1))
+        for first, end in windows(options, longest.values()):
+            if end <= longest[step]:
+                meanHeights, meanDrops = (values[:, first:end].mean(axis=1) for values in (heights, drops))
+                deviation = drops[:, first:end].std(axis=1).mean()
+                table.add(step, len(group), first*SAMPLE, end*SAMPLE, *meanAndError(meanHeights), *meanAndError(meanDrops), deviation)
         draw(left, step, heights)
+        frequencies, power = spectrum(drops[:, round(options.transient/SAMPLE):])
         right.loglog(frequencies[1:], power[1:], label="%g s" % step)
     left.set(xlabel="time since the air came on [s]", ylabel="mean height of the grains [m]")
     right.set(xlabel="frequency [Hz]", ylabel="power density of the pressure drop [Pa2/Hz]")

@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -180,6 +181,13 @@ Files dryFiles(const std::string& grainProperties)
     Files files{{"constant/grainProperties", grainProperties}};
     for (const char* file : {"constant/transportProperties", "constant/turbulenceProperties", "0/U", "0/p_rgh"}) files[file] = "";
     return files;
+}
+
+double largest(const std::vector<double>& values)
+{
+    double most = values.empty() ? GREAT : 0;
+    for (const double value : values) most = std::max(most, std::abs(value));
+    return most;
 }
 
 ::testing::AssertionResult succeeds(const ProgramRun& run)

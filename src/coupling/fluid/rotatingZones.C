@@ -3,6 +3,7 @@
 // OpenFOAM's MRF zones, with the fluid fraction.
 
 #include "coupling/fluid/rotatingZones.H"
+#include "coupling/base/rotatingZonesFile.H"
 
 #include "linear.H"
 
@@ -11,23 +12,9 @@ namespace Foam
 namespace nscdCoupling
 {
 
-namespace
-{
-
-bool hasZones(const fvMesh& mesh)
-{
-    IOobject file("MRFProperties", mesh.time().constant(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false);
-    if (!file.typeHeaderOk<IOdictionary>(true)) return false;
-    for (const entry& zone : IOdictionary(file)) if (zone.isDict()) return true;
-    return false;
-}
-
-} // End anonymous namespace
-
-
 RotatingZones::RotatingZones(const fvMesh& mesh)
 :
-    zones_(hasZones(mesh) ? new IOMRFZoneList(mesh) : nullptr)
+    zones_(hasRotatingZones(mesh) ? new IOMRFZoneList(mesh) : nullptr)
 {}
 
 

@@ -255,7 +255,8 @@ bool GrainMapping::updateRows(std::vector<LocatedBall> balls)
 void GrainMapping::buildSolidFraction()
 {
     solidFraction_ = scalarField(layout_->mesh.nCells(), Zero);
-    const std::vector<scalar> covered = hasBodies() ? sharesOfBodies(bodies_, covered_) : covered_;
+    const std::vector<scalar> ofBodies = hasBodies() ? sharesOfBodies(bodies_, covered_) : std::vector<scalar>();
+    const std::vector<scalar>& covered = hasBodies() ? ofBodies : covered_;
     for (label i = 0; i < weights_.nRows(); ++i)
     {
         const scalar volume = volumes_[i];

@@ -56,7 +56,7 @@ void CoupledRun::driveTo(scalar end, scalar deltaT)
 
 ForceInputs CoupledRun::forceInputs() const
 {
-    return {bodies(), step_.at, fluidDensity(), toVec3(gravity_), bodies_.forms(), coarse_ ? coarse_->radius() : bodies().radius};
+    return {bodies(), step_.at, fluidDensity(), toVec3(gravity_), bodies_.forms(), coarse_ ? &coarse_->radius() : nullptr};
 }
 
 void CoupledRun::applyField()
@@ -209,7 +209,7 @@ void CoupledRun::advanceGrains()
 
     const std::vector<Vec3> before = drag.implicit.empty() ? std::vector<Vec3>() : grains.velocity;
     dynamics_->beginStep(deltaT);
-    const ::nscd::StepReport report = dynamics_->advance(bodies_.onGrains(external));
+    const ::nscd::StepReport report = dynamics_->advance(bodies_.onGrains(std::move(external)));
     bodies_.update(dynamics_->grains());
     for (std::size_t i = 0; i < drag.implicit.size(); ++i)
     {

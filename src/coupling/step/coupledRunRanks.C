@@ -28,8 +28,8 @@ GrainState CoupledRun::takeState()
     state.contacts = dynamics_->checkpoint(state.numbers["lastDeltaT"]);
     state.grains = dynamics_->grains();
     memory_.copyTo(state);
-    state.extras = bodies_.toGrains(state.extras);
-    state.unwritten = bodies_.toGrains(state.unwritten);
+    state.extras = bodies_.toGrains(std::move(state.extras));
+    state.unwritten = bodies_.toGrains(std::move(state.unwritten));
     return state;
 }
 

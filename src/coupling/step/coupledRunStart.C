@@ -96,7 +96,7 @@ void checkClumps(const GrainProperties& properties, const ::nscd::Grains& grains
     {
         fail({placeInDictionaryFile(time.globalPath()/time.constant()/"grainProperties", keyword), what, "", allowed});
     };
-    if (properties.hasCoarseGrains) refuse("grains", "has sources with `coarseGraining` beside clumps, which are of one size", "either of them");
+    if (properties.hasCoarseGrains) refuse("grains", "has sources with `coarseGraining` beside clumps, which no parcel is made of", "one of the two");
     if (properties.heat) refuse("heat", "stands beside clumps, whose temperatures are not followed", "single grains, or no heat");
     if (properties.solvesFluid && grains.shape.dimensions == 2)
     {

@@ -147,7 +147,7 @@ std::vector<Vec3> GrainBodies::sums(const std::vector<Vec3>& ofGrains) const
     return prediction;
 }
 
-GrainExtras GrainBodies::toGrains(const GrainExtras& ofBodies) const
+GrainExtras GrainBodies::toGrains(GrainExtras ofBodies) const
 {
     if (areGrains()) return ofBodies;
     return changed(ofBodies, [&](const auto& values) { return spreadOver(values, parts_.bodyOf); });

@@ -192,12 +192,15 @@ TEST(ProgressLog, countsWarningsInItsSummary)
         row.volumeOutside = k == 3 ? 0.5 : 0.002*(k > 1);
         row.report.solve.hiddenMassRatio = k == 4 ? 1e4 : 0;
         row.report.overlapUncorrected = 0.01*k;
-        log.step(row, FluidSummary());
+        FluidSummary fluid;
+        fluid.stepOverRelaxation = k > 2 ? 100*k : 9;
+        log.step(row, fluid);
     }
     log.finish(TimingTable(), ::nscd::StepTimes());
     EXPECT_TRUE(holds(os.str(),
     {
         "grains outside the mesh 3 steps, first at 0.5 s, worst 0.5 of the grains' volume",
+        "stiff in small cells   2 steps, first at 0.75 s, worst 400 relaxation times a step",
         "unlike masses          1 steps, first at 1 s, worst 1e+04 times as heavy",
         "before its correction 0.04 d"
     })) << os.str();

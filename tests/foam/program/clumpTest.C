@@ -66,8 +66,6 @@ double lastSpeed(const ProgramCase& c)
     return -(height[n - 1] - height[n - 2])/(time[n - 1] - time[n - 2]);
 }
 
-double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
-
 } // namespace
 
 // Sphericity 0.794; the way it lies matters to one law and not to the other.

@@ -30,13 +30,6 @@ std::string pushField()
 
 Files pushed() { return {{"constant/grainProperties", head + some + "forces { field { fields (push); } }"}, {"0/push", pushField()}, {"system/fvSolution", solutionWith(8)}}; }
 
-double largest(const std::vector<double>& values)
-{
-    double most = values.empty() ? GREAT : 0;
-    for (const double value : values) most = std::max(most, std::abs(value));
-    return most;
-}
-
 } // namespace
 
 /// v is the integral of the acceleration at the end of each step, whatever the step.

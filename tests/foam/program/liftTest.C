@@ -60,13 +60,6 @@ const std::string suspension =
     "grains { type lattice; box (0.01 0.01 0.01) (0.09 0.09 0.1); count (4 4 4); diameter 0.015; jitter 0.9; "
     "velocity (0.1 0.05 -0.3); omega (20 -30 10); } ";
 
-double largest(const std::vector<double>& values)
-{
-    double most = 0;
-    for (const double value : values) most = std::max(most, std::abs(value));
-    return most;
-}
-
 } // namespace
 
 TEST(Lift, isThePapersOnAGrainInAShearHoweverTheStepIsCut)

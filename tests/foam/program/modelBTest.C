@@ -51,8 +51,6 @@ ProgramCase suspension(const std::string& forces)
     return ProgramCase(files, "endTime 0.06; writeInterval 60; ", box);
 }
 
-scalar largest(const std::vector<double>& values) { return values.empty() ? -1 : *std::max_element(values.begin(), values.end()); }
-
 /// Mean pressure gradient between the first and the last layer of cells [Pa/m].
 scalar gradientOf(const ProgramCase& c)
 {

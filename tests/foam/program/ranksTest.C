@@ -33,13 +33,6 @@ const std::string lattice = "grains { type lattice; box (0 0 0) (0.1 0.1 0.1); c
 const std::string heap = glass + lattice;
 const std::string wetHeap = wetGlass + lattice;
 
-double largest(const std::vector<double>& values)
-{
-    double most = 0;
-    for (double value : values) most = std::max(most, std::abs(value));
-    return most;
-}
-
 /// Largest difference of a column in the first rows.
 double difference(const ProgramCase& a, const ProgramCase& b, const std::string& column, std::size_t rows)
 {

@@ -42,7 +42,7 @@ struct Suspensions
         coarse.multiplyDrag(parcels.grains, parcels.at.dragFactor);
     }
 
-    ForceInputs ofParcels() const { return {parcels.grains, parcels.at, parcels.density, parcels.gravity, nullptr, coarse.radius()}; }
+    ForceInputs ofParcels() const { return {parcels.grains, parcels.at, parcels.density, parcels.gravity, nullptr, &coarse.radius()}; }
 };
 
 void expectNear(const Vec3& found, const Vec3& expected, const char* what, std::size_t i)
@@ -102,7 +102,7 @@ TEST(CoarseGrains, ofOneRealGrainEachAreThatGrainToTheBit)
     RandomSuspension marked = both.real;
     marked.at.dragFactor = ones;
     coarse.multiplyDrag(marked.grains, marked.at.dragFactor);
-    const ForceInputs in{marked.grains, marked.at, marked.density, marked.gravity, nullptr, coarse.radius()};
+    const ForceInputs in{marked.grains, marked.at, marked.density, marked.gravity, nullptr, &coarse.radius()};
     const GrainForces forces(forcesOf("saffmanLift on; magnusLift on;"), spheresInFluid);
     EXPECT_EQ(forces.exchanged(in), forces.exchanged(both.real.inputs()));
     const std::vector<Vec3> force = forces.explicitForces(in, {});

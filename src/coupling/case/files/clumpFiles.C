@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace Foam
 {
@@ -77,11 +78,23 @@ struct Membership
     fail({placeInFile(file, "origId"), "names a clump " + what, Foam::name(id), "the identity of its first member, which the others follow"});
 }
 
-/// The grains of a clump from its first one on.
-std::vector<std::size_t> membersOf(const polyMesh& mesh, label id, label number, const nscd::Grains& grains, const Membership& members)
+using PlaceOfGrain = std::unordered_map<std::int64_t, std::size_t>;
+
+PlaceOfGrain placesOf(const nscd::Grains& grains)
 {
-    std::size_t first = 0;
-    while (first < grains.size() && grains.id[first] != id) ++first;
+    PlaceOfGrain places;
+    for (std::size_t i = 0; i < grains.size(); ++i) places.emplace(grains.id[i], i);
+    return places;
+}
+
+/// The grains of a clump from its first one on.
+std::vector<std::size_t> membersOf
+(
+    const polyMesh& mesh, label id, label number, const PlaceOfGrain& places, const nscd::Grains& grains, const Membership& members
+)
+{
+    const auto place = places.find(id);
+    const std::size_t first = place == places.end() ? grains.size() : place->second;
     std::vector<std::size_t> found;
     for (std::size_t i = first; i < grains.size() && members.clump[label(i)] == id; ++i) found.push_back(i);
     if (found.empty() || label(found.size()) != number) refuseMembers(mesh, id, "whose members are not there, or not in a row");
@@ -125,11 +138,11 @@ void shareMass(nscd::Grains& grains, const std::vector<std::size_t>& members, sc
 
 void addClump
 (
-    const polyMesh& mesh, const WrittenClumps& written, label c, const Membership& members, const input::MaterialTable& materials,
-    nscd::Grains& grains
+    const polyMesh& mesh, const WrittenClumps& written, label c, const PlaceOfGrain& places, const Membership& members,
+    const input::MaterialTable& materials, nscd::Grains& grains
 )
 {
-    const std::vector<std::size_t> own = membersOf(mesh, written.id[c], written.members[c], grains, members);
+    const std::vector<std::size_t> own = membersOf(mesh, written.id[c], written.members[c], places, grains, members);
     std::vector<nscd::Ball> balls;
     for (const std::size_t i : own) balls.push_back({toVec3(members.center[label(i)]), grains.radius[i]});
     nscd::Clumps& clumps = grains.clumps;
@@ -208,12 +221,13 @@ void writeClumps(const polyMesh& mesh, const nscd::Grains& grains, const labelUL
 void readClumps(const polyMesh& mesh, const input::MaterialTable& materials, nscd::Grains& grains)
 {
     const CloudReader grainCloud(mesh, "grains");
-    grainCloud.labels("origId");
+    grainCloud.labels("origId");   // how many there are
     if (!grainCloud.found("clump")) return;
     checkOneRank(mesh);
     const Membership members{grainCloud.labels("clump"), grainCloud.vectors("memberCenter")};
     const WrittenClumps written(CloudReader(mesh, "clumps"));
-    forAll(written.id, c) addClump(mesh, written, c, members, materials, grains);
+    const PlaceOfGrain places = placesOf(grains);
+    forAll(written.id, c) addClump(mesh, written, c, places, members, materials, grains);
 }
 
 } // namespace nscdCoupling

@@ -4,6 +4,8 @@
 // Looking at constant/dynamicMeshDict, and at the mesh after it moved.
 #include "coupling/case/start/movingMeshCheck.H"
 
+#include "coupling/base/rotatingZonesFile.H"
+#include "coupling/base/vectorConversion.H"
 #include "coupling/case/input/inputError.H"
 #include "coupling/case/walls/patchRoles.H"
 
@@ -24,13 +26,6 @@ const word still = "staticFvMesh";
 IOdictionary dynamicMeshDict(const Time& time)
 {
     return IOdictionary(IOobject("dynamicMeshDict", time.constant(), time, IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
-}
-
-bool hasRotatingZones(const Time& time)
-{
-    const IOdictionary zones(IOobject("MRFProperties", time.constant(), time, IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
-    for (const entry& zone : zones) if (zone.isDict()) return true;
-    return false;
 }
 
 } // namespace
@@ -56,7 +51,7 @@ void checkMovingMesh(const GrainProperties& properties, const polyMesh& mesh)
     if (properties.heat) refuse("on which temperatures are not followed", "no `heat`");
     if (properties.holdsMeanFlow) refuse("on which a mean flow is not held", "no `meanFlow`");
     if (properties.time.subCycles > 1) refuse("whose walls are known at the ends of the fluid's steps alone", "`subCycles 1`");
-    if (hasRotatingZones(mesh.time())) refuse("beside a rotating frame", "no constant/MRFProperties");
+    if (hasRotatingZones(mesh)) refuse("beside a rotating frame", "no constant/MRFProperties");
 }
 
 
@@ -68,13 +63,9 @@ void checkMovedMesh(const polyMesh& mesh, const nscd::PeriodicBox& box)
             << ": nscdDEMFoam follows meshes whose points move, and no others" << exit(FatalError);
     }
     if (!box.any()) return;
-    const nscd::PeriodicBox now = periodicBox(mesh);
-    const scalar slack = 1e-6*mesh.bounds().mag();
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        if (now.isPeriodic(axis) == box.isPeriodic(axis) && (!box.isPeriodic(axis) || mag(now.length(axis) - box.length(axis)) <= slack)) continue;
-        FatalErrorInFunction << "the mesh has changed its period along axis " << axis << " at time " << mesh.time().timeName() << exit(FatalError);
-    }
+    const nscd::Vec3 change = periodicBox(mesh).length - box.length;
+    if (change.cwiseAbs().maxCoeff() <= 1e-6*mesh.bounds().mag()) return;
+    FatalErrorInFunction << "the mesh has changed its periods by " << toFoam(change) << " m at time " << mesh.time().timeName() << exit(FatalError);
 }
 
 } // namespace nscdCoupling

@@ -4,13 +4,12 @@
 // Finding and removing grains that left.
 #include "coupling/base/vectorConversion.H"
 #include "coupling/case/walls/grainExits.H"
+#include "coupling/mapping/mesh/nearestBorder.H"
 
 #include "parallel/pointRouting.hpp"
 
 #include "PstreamReduceOps.H"
 #include "Tuple2.H"
-#include "emptyPolyPatch.H"
-#include "processorPolyPatch.H"
 
 #include <algorithm>
 #include <map>
@@ -30,17 +29,8 @@ using ::nscd::Vec3;
 
 PatchDistance nearestHere(const polyMesh& mesh, const point& position)
 {
-    PatchDistance nearest(GREAT, -1);
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (isA<emptyPolyPatch>(patch) || isA<processorPolyPatch>(patch)) continue;
-        for (const face& f : patch.localFaces())
-        {
-            const pointHit hit = f.nearestPoint(position, patch.localPoints());
-            if (hit.distance() < nearest.first()) nearest = PatchDistance(hit.distance(), patch.index());
-        }
-    }
-    return nearest;
+    const BorderFace nearest = nearestBorder(mesh, position);
+    return PatchDistance(nearest.distance, nearest.face < 0 ? -1 : mesh.boundaryMesh().whichPatch(nearest.face));
 }
 
 List<PatchDistance> nearestOfHere(const polyMesh& mesh, const pointField& positions)
@@ -56,7 +46,7 @@ Eigen::AlignedBox3d boxOfBoundary(const polyMesh& mesh, scalar reach)
     Eigen::AlignedBox3d box;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(patch) || isA<processorPolyPatch>(patch)) continue;
+        if (!isBorder(patch)) continue;
         for (const point& x : patch.localPoints()) box.extend(toVec3(x));
     }
     const Vec3 more = Vec3::Constant(reach);

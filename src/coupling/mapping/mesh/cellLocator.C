@@ -4,9 +4,9 @@
 // Finds the cell of a point by walking from a cell nearby.
 #include "coupling/base/vectorConversion.H"
 #include "coupling/mapping/mesh/cellLocator.H"
+#include "coupling/mapping/mesh/nearestBorder.H"
 
 #include "cyclicAMIPolyPatch.H"
-#include "emptyPolyPatch.H"
 
 namespace Foam
 {
@@ -194,23 +194,10 @@ label CellLocator::search(const Vec3& x) const
 // face's cell, if no other border of the mesh is nearer.
 label CellLocator::searchBetweenHalves(const Vec3& x) const
 {
-    const polyBoundaryMesh& patches = polyMesh_.boundaryMesh();
     if (!hasHalves_) return -1;
-    scalar nearest = GREAT;
-    label cell = -1;
-    for (const polyPatch& patch : patches)
-    {
-        if (isA<emptyPolyPatch>(patch)) continue;
-        const bool isSliding = isA<cyclicAMIPolyPatch>(patch);
-        forAll(patch, k)
-        {
-            const scalar distance = patch[k].nearestPoint(toFoam(x), polyMesh_.points()).distance();
-            if (distance >= nearest) continue;
-            nearest = distance;
-            cell = isSliding ? patch.faceCells()[k] : -1;
-        }
-    }
-    return cell;
+    const label face = nearestBorder(polyMesh_, toFoam(x)).face;
+    const label patch = polyMesh_.boundaryMesh().whichPatch(face);
+    return isA<cyclicAMIPolyPatch>(polyMesh_.boundaryMesh()[patch]) ? polyMesh_.faceOwner()[face] : -1;
 }
 
 // The octree knows nothing of halo cells, and it may miss a point of an own cell beside them, behind a warped face or on a flat
