@@ -111,6 +111,8 @@ struct GrainDynamics::Implementation
     SolveReport solveBy(ContactSolver solver, ContactProblem& problem, const ExternalForces& external);
     SolveReport solveOnce(const ExternalForces& external);
     bool mayHoldFriction() const { return isFrictional && settings.strategy.held.isOn; }
+    /// Where friction is that large, Coulomb's law may have none.
+    bool mayHaveNoSolution() const { return materials.largestFriction() >= settings.strategy.held.frictionToJam; }
     bool isHarmful(const SolveReport& report) const;
     bool isJammed(const SolveReport& report, const ContactProblem& problem) const;
     SolveReport holdFriction(const ExternalForces& external);
@@ -130,7 +132,7 @@ struct GrainDynamics::Implementation
     void checkReady(const ExternalForces& external) const;
     StepReport restingReport() const;
     void rebound(const ExternalForces& external, SolveReport& report);
-    void limitWork(const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report);
+    SolveReport judgedRebound(const std::vector<Body>& freeBodies, const Shock& inelastic, SolveReport shock);
     OverlapStatistics placeContacts();
     void correctPositions(StepReport& report);
 };
