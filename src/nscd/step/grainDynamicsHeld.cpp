@@ -42,13 +42,13 @@ bool GrainDynamics::Implementation::isJammed(const SolveReport& report, const Co
 }
 
 /// The step's problem once more, without what impulses the first solve left: those may be of any size.
-SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& external)
+SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& external, const ContactSettings& asked)
 {
     for (ContactBlock& block : list.blocks) std::fill_n(&block.r[0][0], 3*blockLanes, 0.0);
     // Laws beside Coulomb's that work within sweeps know of no bounds that are held: such a step is solved without them.
     for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) list.laws.setImpulses(slot, noLawImpulses());
     ContactProblem problem = prepareProblem(external);
-    return solveBy(solveHeld, problem, external);
+    return solveBy(solveHeld, problem, asked, external);
 }
 
 /// Kinetic energy of what moves here [J], without the spins.
