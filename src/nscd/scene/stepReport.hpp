@@ -36,6 +36,7 @@ struct SolveReport
     double shockWork = 0.0;
     double shockResidualWork = 0.0;
     double reboundShare = 1.0;  ///< what was left of the rebound
+    bool isReboundOfMotion = false;   ///< the shock was not solved, grains rebound by the impulses of the motion: see reboundOfMotion()
 
     bool hasGainedEnergy() const { return shockWork > shockResidualWork; }
 };
@@ -71,6 +72,7 @@ inline SolveReport worstOf(const SolveReport& before, const SolveReport& next)
     worst.converged = before.converged && next.converged;
     worst.atCap = before.atCap || next.atCap;
     worst.isHeld = before.isHeld || next.isHeld;
+    worst.isReboundOfMotion = before.isReboundOfMotion || next.isReboundOfMotion;
     worst.frictionOff = std::max(before.frictionOff, next.frictionOff);
     worst.createdEnergy = std::max(before.createdEnergy, next.createdEnergy);
     worst.residualRms = std::max(before.residualRms, next.residualRms);

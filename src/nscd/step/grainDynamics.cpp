@@ -67,7 +67,7 @@ void GrainDynamics::Implementation::makeWallSearch()
     if (!isFitting) wallSearch = std::make_unique<WallSearch>(walls, largest > 0.0 ? 4.0*largest : diameter);
 }
 
-void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity, bool isStraight)
+void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocity, double margin)
 {
     const auto timer = times.time(GrainPart::findPairs);
     shockImpulses.clear();
@@ -80,7 +80,7 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     ImpulseRecord impulses = isListStale ? std::move(restored) : isWithinStep ? beforeStep : collectImpulses(list);
     restored = ImpulseRecord();
 
-    ListPlan plan = planList(velocity, isStraight);
+    ListPlan plan = planList(velocity, margin);
     std::vector<double> reach(grains.size());
     for (std::size_t i = 0; i < grains.size(); ++i) reach[i] = reachAtRest() + plan.expected.time*plan.speed[i];
     makeWallSearch();
@@ -155,19 +155,22 @@ ContactProblem GrainDynamics::Implementation::prepareProblem(const ExternalForce
 }
 
 /// A solve of the step's problem, timed, with its account of energy.
-SolveReport GrainDynamics::Implementation::solveBy(ContactSolver solver, ContactProblem& problem, const ExternalForces& external)
+SolveReport GrainDynamics::Implementation::solveBy
+(
+    ContactSolver solver, ContactProblem& problem, const ContactSettings& asked, const ExternalForces& external
+)
 {
     const auto timer = times.time(GrainPart::solveContacts);
-    SolveReport report = solveWhereAwake(problem, settings, solver);
+    SolveReport report = solveWhereAwake(problem, asked, solver);
     if (!report.converged) report.createdEnergy = createdEnergy(external, report);
     return report;
 }
 
-SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external)
+SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& external, const ContactSettings& asked)
 {
     ContactProblem problem = prepareProblem(external);
-    SolveReport report = solveBy(solve, problem, external);
-    if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem))) report = together(report, holdFriction(external));
+    SolveReport report = solveBy(solve, problem, asked, external);
+    if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem))) report = together(report, holdFriction(external, asked));
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     return report;
 }
@@ -182,9 +185,9 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
         std::vector<Vec3> velocity = grains.velocity;   // of those that sleep, which are not in the list
         for (int body = 0; body < list.owned(); ++body)
         {
-            velocity[list.grainOf[body]] = (attempt + 1.0)*Vec3(list.bodies[body].v);
+            velocity[list.grainOf[body]] = Vec3(list.bodies[body].v);
         }
-        rebuildList(velocity, attempt == 0);
+        rebuildList(velocity, attempt + 1.0);
         report = together(report, solveAndWake(external));
     }
     return report;
@@ -237,7 +240,7 @@ StepReport GrainDynamics::Implementation::restingReport() const
 void GrainDynamics::Implementation::beginAwakeStep(bool haveWallsJumped)
 {
     if (isListStale) measureGrains();
-    if (isListStale || !coversStep()) rebuildList(grains.velocity, true);
+    if (isListStale || !coversStep()) rebuildList(grains.velocity, 1.0);
     else if (haveWallsJumped) placeContacts();
     if (isStepBegun) return;
     isStepBegun = true;

@@ -18,8 +18,7 @@ namespace nscd
 bool GrainDynamics::Implementation::isHarmful(const SolveReport& report) const
 {
     const SolverStrategy::Held& strategy = settings.strategy.held;
-    const bool mayHaveNone = materials.largestFriction() >= strategy.frictionToJam;
-    return report.atCap && (mayHaveNone || report.createdEnergy > 0.0 || report.residualMax*deltaT > strategy.overlap*diameter);
+    return report.atCap && (mayHaveNoSolution() || report.createdEnergy > 0.0 || report.residualMax*deltaT > strategy.overlap*diameter);
 }
 
 /// Whether a contact carries far more than all contacts together give the grains: where Coulomb's law has no solution impulses grow until what they
@@ -27,7 +26,7 @@ bool GrainDynamics::Implementation::isHarmful(const SolveReport& report) const
 bool GrainDynamics::Implementation::isJammed(const SolveReport& report, const ContactProblem& problem) const
 {
     const SolverStrategy::Held& strategy = settings.strategy.held;
-    const bool mayGrow = report.sweeps >= strategy.sweepsToJam || materials.largestFriction() >= strategy.frictionToJam;
+    const bool mayGrow = report.sweeps >= strategy.sweepsToJam || mayHaveNoSolution();
     if (list.laws.areOfStart() || !mayGrow) return false;
     double largest2 = 0.0, mass = 0.0;
     for (std::uint32_t k : list.awake)
@@ -43,13 +42,13 @@ bool GrainDynamics::Implementation::isJammed(const SolveReport& report, const Co
 }
 
 /// The step's problem once more, without what impulses the first solve left: those may be of any size.
-SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& external)
+SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& external, const ContactSettings& asked)
 {
     for (ContactBlock& block : list.blocks) std::fill_n(&block.r[0][0], 3*blockLanes, 0.0);
     // Laws beside Coulomb's that work within sweeps know of no bounds that are held: such a step is solved without them.
     for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) list.laws.setImpulses(slot, noLawImpulses());
     ContactProblem problem = prepareProblem(external);
-    return solveBy(solveHeld, problem, external);
+    return solveBy(solveHeld, problem, asked, external);
 }
 
 /// Kinetic energy of what moves here [J], without the spins.

@@ -95,10 +95,10 @@ struct GrainDynamics::Implementation
     void lookForFast(const ListPlan& plan, const std::vector<double>& reach, const std::vector<WallReach>& wallReach);
     double moveBodies(StepReport& report);
     void clearForces();
-    /// `isStraight`: whether grains can be expected to move with these velocities.
-    void rebuildList(const std::vector<Vec3>& velocity, bool isStraight);
+    /// `margin`: 1 where grains can be expected to move with these velocities, else what they may exceed them by.
+    void rebuildList(const std::vector<Vec3>& velocity, double margin);
     void refuseBeyondPeriods(const std::vector<Vec3>& velocity, const Vec3& mean) const;
-    ListPlan planList(const std::vector<Vec3>& velocity, bool isStraight) const;
+    ListPlan planList(const std::vector<Vec3>& velocity, double margin) const;
     void fitStepsPerList();
     void chooseKernelsOfStep();
     SolveReport solveVelocities(const ExternalForces& external);
@@ -108,12 +108,15 @@ struct GrainDynamics::Implementation
     bool areWallsDriving(double speedScale) const;
     void prepareSolve(const ExternalForces& external);
     ContactProblem prepareProblem(const ExternalForces& external);
-    SolveReport solveBy(ContactSolver solver, ContactProblem& problem, const ExternalForces& external);
-    SolveReport solveOnce(const ExternalForces& external);
+    SolveReport solveBy(ContactSolver solver, ContactProblem& problem, const ContactSettings& asked, const ExternalForces& external);
+    SolveReport solveOnce(const ExternalForces& external, const ContactSettings& asked);
     bool mayHoldFriction() const { return isFrictional && settings.strategy.held.isOn; }
+    /// Where friction is that large, Coulomb's law may have none.
+    bool mayHaveNoSolution() const { return materials.largestFriction() >= settings.strategy.held.frictionToJam; }
     bool isHarmful(const SolveReport& report) const;
     bool isJammed(const SolveReport& report, const ContactProblem& problem) const;
-    SolveReport holdFriction(const ExternalForces& external);
+    SolveReport holdFriction(const ExternalForces& external, const ContactSettings& asked);
+    ContactSettings ofTrial() const;
     double translationalEnergy() const;
     double createdEnergy(const ExternalForces& external, const SolveReport& report);
     SolveReport solveAndWake(const ExternalForces& external);
@@ -130,7 +133,7 @@ struct GrainDynamics::Implementation
     void checkReady(const ExternalForces& external) const;
     StepReport restingReport() const;
     void rebound(const ExternalForces& external, SolveReport& report);
-    void limitWork(const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report);
+    SolveReport judgedRebound(const std::vector<Body>& freeBodies, const Shock& inelastic, SolveReport shock);
     OverlapStatistics placeContacts();
     void correctPositions(StepReport& report);
 };

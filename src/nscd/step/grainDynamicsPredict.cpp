@@ -5,6 +5,8 @@
 // Tested by tests/unit/nscd/step/predictionTest.cpp, tests/unit/nscd/step/grainSleepTest.cpp
 #include "nscd/step/grainDynamicsParts.hpp"
 
+#include <limits>
+
 namespace nscd
 {
 
@@ -91,6 +93,15 @@ Prediction GrainDynamics::predict(const ExternalForces& external)
     return self.predicted(self.solveVelocities(external));
 }
 
+/// A trial asks how velocities answer, to a tenth: neither for forces, nor for rest.
+ContactSettings GrainDynamics::Implementation::ofTrial() const
+{
+    ContactSettings asked = settings;
+    asked.polishSweeps = 0;
+    asked.forceTolerance = std::numeric_limits<double>::infinity();
+    return asked;
+}
+
 Prediction GrainDynamics::tryForces(const ExternalForces& external)
 {
     Implementation& self = *self_;
@@ -101,7 +112,7 @@ Prediction GrainDynamics::tryForces(const ExternalForces& external)
     // On the list as it is: nothing moves, so nothing can get past what is not listed.
     const SlotImpulses before = impulsesOf(self.list);
     addTrialChange(self.list);
-    Prediction prediction = self.predicted(self.solveOnce(external));
+    Prediction prediction = self.predicted(self.solveOnce(external, self.ofTrial()));
     noteTrialChange(self.list, before);
     setImpulses(self.list, before);
     return prediction;

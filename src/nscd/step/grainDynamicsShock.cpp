@@ -5,7 +5,6 @@
 // Tested by tests/unit/nscd/step/shockWorkTest.cpp
 #include "nscd/step/grainDynamicsParts.hpp"
 
-#include "nscd/solvers/heldFriction.hpp"
 #include "nscd/solvers/help/andersonAcceleration.hpp"
 
 #include <cmath>
@@ -35,19 +34,11 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
-    SolveReport shock = solveWhereAwake(problem, shockSettings, solve);
-    if (shock.atCap && mayHoldFriction())
-    {
-        Shock start = inelastic;
-        list.bodies = std::move(start.bodies);
-        list.general.bodies = std::move(start.general);
-        swapImpulses(list, start.impulses, start.ofLaws);
-        shock = together(shock, solveHeld(problem, shockSettings));
-    }
+    const SolveReport shock = solveWhereAwake(problem, shockSettings, solve);
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
-    report = worstOf(shock, report);
     if (sleep.any() && !sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty())
     {
+        report = together(shock, report);
         // A shock goes through everything that touches: once more, with nobody asleep.
         swapImpulses(list, inelastic.impulses, inelastic.ofLaws);
         awakePart.giveBack(list, forcesOnBodies());
@@ -56,7 +47,11 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
         rebound(external, report);
         return;
     }
-    limitWork(freeBodies, inelastic, shock, report);
+    const SolveReport judged = judgedRebound(freeBodies, inelastic, shock);
+    report = worstOf(judged, report);
+    report.shockWork = judged.shockWork;
+    report.shockResidualWork = judged.shockResidualWork;
+    report.reboundShare = judged.reboundShare;
     giveToGrains(forcesOnBodies(), list.grainOf, forces);
     if (sleep.any()) shockImpulses.keep(awakePart.impulses(list));
     // The next step starts from the impulses of the motion, not from those of the shock.
@@ -64,18 +59,22 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     if (!sleep.any()) shockImpulses.keep(std::move(inelastic));
 }
 
-void GrainDynamics::Implementation::limitWork
-(
-    const std::vector<Body>& freeBodies, const Shock& inelastic, const SolveReport& shock, SolveReport& report
-)
+SolveReport GrainDynamics::Implementation::judgedRebound(const std::vector<Body>& freeBodies, const Shock& inelastic, SolveReport shock)
 {
     const double residual = shock.residualRms*std::sqrt(static_cast<double>(shock.contacts));
-    const ShockWork account = shockWork(list, freeBodies, residual);
-    report.shockWork = account.work;
-    report.shockResidualWork = account.residualWork;
-    // What an unconverged solve may have of energy is no excuse.
-    const bool isFromNowhere = !shock.converged && account.work > 0.0;
-    if (report.hasGainedEnergy() || isFromNowhere) report.reboundShare = limitRebound(list, freeBodies, inelastic);
+    ShockWork account = shockWork(list, freeBodies, residual);
+    const bool isFromNowhere = !shock.converged && account.work > 0.0;   // what an unconverged solve may have of energy is no excuse
+    if ((shock.atCap && (isFromNowhere || mayHaveNoSolution())) || isJammed(shock, makeProblem(shock.speedScale)))
+    {
+        reboundOfMotion(list, freeBodies, inelastic);
+        account = shockWork(list, freeBodies, residual);
+        shock.converged = shock.atCap = false;
+        shock.isReboundOfMotion = true;
+    }
+    shock.shockWork = account.work;
+    shock.shockResidualWork = account.residualWork;
+    if (shock.hasGainedEnergy() || (!shock.converged && account.work > 0.0)) shock.reboundShare = limitRebound(list, freeBodies, inelastic);
+    return shock;
 }
 
 } // namespace nscd

@@ -55,7 +55,7 @@ void GrainDynamics::Implementation::wakeWithinSolve(const std::vector<int>& slee
 
 SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& external)
 {
-    SolveReport report = solveOnce(external);
+    SolveReport report = solveOnce(external, settings);
     // After some solves whole rings of grains are woken, more and more of them: an impact reaches far.
     constexpr int withoutRings = 5;
     for (int round = 0; sleep.any(); ++round)
@@ -64,7 +64,7 @@ SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& ex
         const std::vector<int> disturbed = sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT);
         if (!list.halo.any(!disturbed.empty())) break;
         wakeWithinSolve(awakePart.sleepersAround(disturbed, std::max(0, round - withoutRings), sleep, deadBand()));
-        report = together(report, solveOnce(external));
+        report = together(report, solveOnce(external, settings));
     }
     return report;
 }

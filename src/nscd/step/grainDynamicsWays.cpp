@@ -36,7 +36,7 @@ void GrainDynamics::Implementation::refuseBeyondPeriods(const std::vector<Vec3>&
     }
 }
 
-ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& velocity, bool isStraight) const
+ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& velocity, double margin) const
 {
     double sums[5] = {0.0, static_cast<double>(velocity.size()), 0.0, 0.0, 0.0};
     for (const Vec3& v : velocity)
@@ -49,13 +49,14 @@ ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& veloci
     if (!std::isfinite(commonSpeed)) throw invalidValue("rms speed of grains", commonSpeed, "a finite value [m/s]");
     const double time = stepsPerList*deltaT;
     const Vec3 mean = Vec3(sums[2], sums[3], sums[4])/number;
+    const bool isStraight = margin == 1.0;
     if (isStraight && box.any()) refuseBeyondPeriods(velocity, mean);
     // Pairs on two ranks are listed by reach alone, so that longer ones would cost more there.
-    if (exchange->isParallel() || !isStraight) return planBySpeeds(velocity, commonSpeed, time);
+    if (exchange->isParallel()) return planBySpeeds(velocity, commonSpeed, time, margin);
     // Over many steps grains do not fly straight.
-    if (!isListStale && stepsPerList == fewestStepsPerList) return planByPaths(list, velocity, diameter, deltaT);
-    if (deltaT*mean.norm() <= fastFlow*diameter) return planBySpeeds(velocity, commonSpeed, time);
-    return planAroundMean(velocity, mean, std::sqrt(std::max(0.0, sums[0]/number - mean.squaredNorm())), time);
+    if (isStraight && !isListStale && stepsPerList == fewestStepsPerList) return planByPaths(list, velocity, diameter, deltaT);
+    if (deltaT*mean.norm() <= fastFlow*diameter) return planBySpeeds(velocity, commonSpeed, time, margin);
+    return planAroundMean(velocity, mean, std::sqrt(std::max(0.0, sums[0]/number - mean.squaredNorm())), time, margin);
 }
 
 WallsOfStep GrainDynamics::Implementation::wallsOfStep() const

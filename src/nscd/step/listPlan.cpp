@@ -67,19 +67,19 @@ ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity,
     return plan;
 }
 
-ListPlan planAroundMean(const std::vector<Vec3>& velocity, const Vec3& mean, double rms, double time)
+ListPlan planAroundMean(const std::vector<Vec3>& velocity, const Vec3& mean, double rms, double time, double margin)
 {
     ListPlan plan;
-    for (const Vec3& v : velocity) plan.speed.push_back(mean.norm() + std::max((v - mean).norm(), rms));
+    for (const Vec3& v : velocity) plan.speed.push_back(mean.norm() + margin*std::max((v - mean).norm(), rms));
     plan.expected.velocity.assign(velocity.size(), mean);
     plan.expected.time = time;
     return plan;
 }
 
-ListPlan planBySpeeds(const std::vector<Vec3>& velocity, double common, double time)
+ListPlan planBySpeeds(const std::vector<Vec3>& velocity, double common, double time, double margin)
 {
     ListPlan plan;
-    for (const Vec3& v : velocity) plan.speed.push_back(std::max(v.norm(), common));
+    for (const Vec3& v : velocity) plan.speed.push_back(margin*std::max(v.norm(), common));
     plan.expected.time = time;
     return plan;
 }

@@ -4,6 +4,8 @@
 // The energy account of a shock.
 #include "nscd/step/shockWork.hpp"
 
+#include "nscd/step/shockImpulses.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +22,7 @@ Vec3 relativeVelocity(const Body& a, const Body& b, const Vec3& n)
 }
 
 /// target + share (list - target), for velocities and impulses.
-void shrink(ContactList& list, const Shock& target, double share)
+void moveBetween(ContactList& list, const Shock& target, double share)
 {
     const auto blend = [share](double& value, double end) { value = end + share*(value - end); };
     for (std::size_t i = 0; i < list.bodies.size(); ++i)
@@ -54,6 +56,34 @@ void shrink(ContactList& list, const Shock& target, double share)
     }
 }
 
+/// Velocities without contacts, and no impulses.
+void setFree(ContactList& list, const std::vector<Body>& freeBodies)
+{
+    list.bodies = freeBodies;
+    for (GeneralBody& body : list.general.bodies)
+    {
+        body.v = body.freeV;
+        body.omega = body.freeOmega;
+    }
+    for (ContactBlock& block : list.blocks) std::fill_n(&block.r[0][0], 3*blockLanes, 0.0);
+    for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) list.laws.setImpulses(slot, noLawImpulses());
+}
+
+/// Of the contacts that rebound, weighted by what presses on them in the list [-].
+double meanRestitution(const ContactList& list)
+{
+    double sums[2] = {0.0, 0.0};
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        const bool isRebounding = list.blocks[slot/blockLanes].bias[slot % blockLanes] < 0.0;
+        const double pressure = isRebounding ? std::max(0.0, impulse(list, slot).dot(normal(list, slot))) : 0.0;
+        sums[0] += pressure*list.restitution[slot];
+        sums[1] += pressure;
+    }
+    list.halo.sum(sums, 2);
+    return sums[1] > 0.0 ? sums[0]/sums[1] : 0.0;
+}
+
 } // namespace
 
 ShockWork shockWork(const ContactList& list, const std::vector<Body>& freeBodies, double residual)
@@ -80,14 +110,23 @@ double limitRebound(ContactList& list, const std::vector<Body>& freeBodies, cons
 {
     // The work is a parabola of the share: three points of it on the way back, then its root.
     const double atOne = shockWork(list, freeBodies, 0.0).work;
-    shrink(list, inelastic, 0.5);
+    moveBetween(list, inelastic, 0.5);
     const double atHalf = shockWork(list, freeBodies, 0.0).work;
-    shrink(list, inelastic, 0.5);
+    moveBetween(list, inelastic, 0.5);
     const double atQuarter = shockWork(list, freeBodies, 0.0).work;
     const double a = 8.0/3.0*(atOne - 3.0*atHalf + 2.0*atQuarter), b = 2.0*(atOne - atHalf) - 1.5*a, c = atOne - a - b;
     const double share = c < 0.0 ? std::min(1.0, -2.0*c/(b + std::sqrt(std::max(0.0, b*b - 4.0*a*c)))) : 0.0;
-    shrink(list, inelastic, share/0.25);
+    moveBetween(list, inelastic, share/0.25);
     return share;
+}
+
+void reboundOfMotion(ContactList& list, const std::vector<Body>& freeBodies, Shock inelastic)
+{
+    swapImpulses(list, inelastic.impulses, inelastic.ofLaws);
+    const double e = meanRestitution(list);
+    swapImpulses(list, inelastic.impulses, inelastic.ofLaws);
+    setFree(list, freeBodies);
+    moveBetween(list, inelastic, -e);
 }
 
 } // namespace nscd

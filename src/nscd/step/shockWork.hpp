@@ -37,4 +37,10 @@ ShockWork shockWork(const ContactList& list, const std::vector<Body>& freeBodies
 /// friction stay; in effect every coefficient of restitution of the step is multiplied by the share returned.
 double limitRebound(ContactList& list, const std::vector<Body>& freeBodies, const Shock& inelastic);
 
+/// The rebound of a shock that was not solved: the impulses of the motion, (1 + e) times.
+/// Equation: r = (1 + e) r_i, v = v_i + e (v_i - v^-), i the solution without restitution, e the mean of the contacts that rebound, weighted by r_i,n.
+///           u_n = -e u_n^- on contacts that r_i loads, |r_t| <= mu r_n on all; what sticks rebounds along the surface too. Since r_i.u_i <= 0,
+///           the work is at most -(1 - e^2) r_i.W r_i/2.
+void reboundOfMotion(ContactList& list, const std::vector<Body>& freeBodies, Shock inelastic);
+
 } // namespace nscd

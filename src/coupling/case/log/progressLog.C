@@ -17,6 +17,15 @@ using ::nscd::formatted;
 namespace
 {
 
+/// What came of a step's solve, where it has not converged.
+const char* outcome(const ::nscd::SolveReport& solve)
+{
+    if (solve.converged) return "";
+    if (solve.atCap) return " (at the cap)";
+    if (solve.isHeld) return " (friction held)";
+    return solve.isReboundOfMotion ? " (rebound of the motion)" : " (forces off)";
+}
+
 /// What is done without being asked for, and what fell short; each is explained in method.md.
 struct WarningRow
 {
@@ -155,7 +164,7 @@ void ProgressLog::step(const StepRow& row, const FluidSummary& fluid)
         (
             "  advanceGrains: %lld grains, %zu contacts, %d sweeps%s, residual %.2g rms %.2g max m/s, force error %.2g, overlap <= %.2g d "
             "(%.2g before correction)",
-            static_cast<long long>(row.grains), solve.contacts, solve.sweeps, solve.converged ? "" : solve.atCap ? " (at the cap)" : solve.isHeld ? " (friction held)" : " (forces off)",
+            static_cast<long long>(row.grains), solve.contacts, solve.sweeps, outcome(solve),
             solve.residualRms, solve.residualMax, solve.forceError, row.report.overlapMax, row.report.overlapUncorrected
         ).c_str() << nl;
     if (solve.newtonSteps > 0) os_ << formatted("  direct method: %d Newton steps", solve.newtonSteps).c_str() << nl;

@@ -54,7 +54,7 @@ TEST(ListPlan, slowGrainsHaveFourStepsFastOnesOneAndAHalf)
 
 TEST(ListPlan, withoutPathsEachIsAsFastAsAllMayBe)
 {
-    const nscd::ListPlan plan = nscd::planBySpeeds({Vec3(3, 0, 4), Vec3(1, 0, 0)}, 2.0, 0.7);
+    const nscd::ListPlan plan = nscd::planBySpeeds({Vec3(3, 0, 4), Vec3(1, 0, 0)}, 2.0, 0.7, 1.0);
     EXPECT_EQ(plan.speed, (std::vector<double>{5.0, 2.0}));
     EXPECT_EQ(plan.expected.time, 0.7);
     EXPECT_TRUE(plan.expected.velocity.empty());

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+"""W7: flow through held grains at random places: error of the pressure gradient against Ergun's law on the true solid fraction, and run time,
+in cells of 3 to 3/8 diameters, of nscdDEMFoam (its default, and without its filter of small cells) and OpenFOAM's DPMFoam."""
+
+import shutil
+from pathlib import Path
+
+from foamFiles import setEntry
+from pinnedRun import pinned
+from results import BUILD, Table, pyplot, savePicture
+from foamCase import BoxCase, CaseFolder
+from randomBeds import randomGrains, solidFraction
+
+HERE = Path(__file__).resolve().parent
+D, U, RHO, MU = 1e-3, 1e-2, 1000.0, 1e-3
+SIDE, HEIGHT, FREE = 6, 16, 8      # of the bed, and free above and below it [d]
+LOW, HIGH = 5, 11                  # between which the gradient is taken [d]
+CELLS = (3, 2, 1.5, 1, 0.75, 0.5, 0.375)
+STEPS = 100
+CENTERS = randomGrains(0.33, SIDE, HEIGHT)
+
+
+def ergun(phi):
+    return 150*phi**2*MU*U/((1 - phi)**3*D**2) + 1.75*phi*RHO*U**2/((1 - phi)**3*D)
+
+
+EXACT = ergun(solidFraction(CENTERS, SIDE, LOW, HIGH))
+
+
+def box(name, cell):
+    layers = round((HEIGHT + 2*FREE)/cell)
+    case = BoxCase(BUILD/"cases/W7"/name, (0, 0, -FREE*D), (SIDE*D, SIDE*D, (HEIGHT + FREE)*D), (round(SIDE/cell),)*2 + (layers,),
+                   {"zMin": "patch", "zMax": "patch"})
+    return case
+
+
+def gradient(pressure, cell):
+    """[Pa/m] between the two heights, linear between layers."""
+    perLayer = round(SIDE/cell)**2
+    layer = [sum(pressure[k:k + perLayer])/perLayer for k in range(0, len(pressure), perLayer)]
+
+    def at(z):
+        k, rest = divmod((z + FREE)/cell - 0.5, 1)
+        return layer[int(k)] + rest*(layer[int(k) + 1] - layer[int(k)])
+
+    return (at(LOW) - at(HIGH))/((HIGH - LOW)*D)
+
+
+def ours(cell, settings):
+    """Error and processor seconds of the steps after the first."""
+    costs = []
+    deltaT = 0.25*cell*D/U
+    for steps in (1, STEPS):
+        case = box("ours", cell)
+        case.fluid(RHO, MU, (0, 0, 0), (0, 0, U), {"zMin": "type fixedValue; value uniform (0 0 %g);" % U, "zMax": "type zeroGradient;"},
+                   {"zMin": "type fixedFluxPressure; value uniform 0;"})
+        case.table([tuple(D*x for x in center) + (D,) for center in CENTERS])
+        case.grains("materials { glass { density 2500; } }\ncontacts { default { friction 0; } }\nmotion fixed;\n"
+                    "patches { zMin { type exit; } zMax { type exit; } }\nforces { drag { law Ergun; } }\n%s\n"
+                    "grains { type table; file grains.dat; }" % settings)
+        case.control(deltaT, steps*deltaT)
+        case.call("blockMesh")
+        costs.append(pinned("nscdDEMFoam", case.folder).cpu)
+    return gradient(case.fieldValues("p_rgh"), cell)/EXACT - 1, costs[1] - costs[0]
+
+
+FIELDS = {
+    "p": ("volScalarField", "[0 2 -2 0 0 0 0]", "0", {"zMin": "type fixedFluxPressure; phi phi.air; value uniform 0;", "zMax": "type fixedValue; value uniform 0;"}),
+    "U.air": ("volVectorField", "[0 1 -1 0 0 0 0]", "(0 0 %g)" % U, {"zMin": "type fixedValue; value uniform (0 0 %g);" % U, "zMax": "type zeroGradient;"})
+}
+
+
+def theirs(cell, settings):
+    """DPMFoam's grains are held by their mass; where alpha.air is as low as it lets cells be, drag is what that makes of it."""
+    costs = []
+    deltaT = 0.25*cell*D/U
+    for steps in (1, STEPS):
+        case = box("theirs", cell)
+        folder = Path(case.folder)
+        for part in ("constant/turbulenceProperties.air", "constant/transportProperties", "constant/kinematicCloudProperties", "system/fvSolution", "system/fvSchemes"):
+            shutil.copy(HERE/"DPMFoam"/part, folder/part)
+        case.gravity((0, 0, 0))
+        case.control(deltaT, steps*deltaT)
+        setEntry(folder/"constant/transportProperties", r"rho\.air", "%g" % RHO)
+        setEntry(folder/"constant/transportProperties", "nu", "%g" % (MU/RHO))
+        cloud = (folder/"constant/kinematicCloudProperties").read_text()
+        for before, after in (("rho0           2526", "rho0           1e15"), ("value 0.0025", "value %g" % D), ("collisionModel pairCollision", "collisionModel none"),
+                              ("top ", "zMax "), ("bottom ", "zMin "), ("            walls        { $rebound; }\n", ""), ("            frontAndBack { $rebound; }\n", "")):
+            assert before in cloud, before
+            cloud = cloud.replace(before, after)
+        (folder/"constant/kinematicCloudProperties").write_text(cloud)
+        centers = "".join("(%.17g %.17g %.17g)\n" % tuple(D*x for x in center) for center in CENTERS)
+        case.write("constant/kinematicCloudPositions", "(\n" + centers + ")", "vectorField")
+        for name, (kind, dimensions, value, sides) in FIELDS.items():
+            case.field(name, kind, dimensions, value, {"cyclic": "type cyclic;", "patch": ""}, sides)
+        case.call("blockMesh")
+        costs.append(pinned("DPMFoam", case.folder).cpu)
+    return gradient([RHO*p for p in CaseFolder(folder).fieldValues("p")], cell)/EXACT - 1, costs[1] - costs[0]
+
+
+CODES = {"nscdDEMFoam": (ours, ""), "nscdDEMFoam, filterWidth 0": (ours, "voidFraction { filterWidth 0; }"), "DPMFoam": (theirs, "")}
+
+
+def measure(table):
+    for cell in CELLS:
+        for code, (simulate, settings) in CODES.items():
+            error, seconds = simulate(cell, settings)
+            table.add(code, cell, 100*error, seconds)
+
+
+def draw(table):
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4))
+    for code in CODES:
+        errors = [abs(e) for e in table.column("errorPercent", code=code)]
+        left.loglog(CELLS, errors, "o-", label=code)
+        right.loglog(table.column("seconds", code=code), errors, "o-")
+    left.set_xlabel("cell [d]")
+    right.set_xlabel("processor time less start-up [s]")
+    left.set_ylabel("error of the pressure gradient [%]")
+    left.legend(fontsize=7)
+    savePicture(figure, "W7")
+
+
+draw(Table("W7", ["code", "cellInDiameters", "errorPercent", "seconds"], larger=("seconds",)).inRounds(measure))
