@@ -91,7 +91,7 @@ void tellChosenWidth(const VoidFractionSettings& settings, scalar meanDiameter, 
 /// What the fluid and the heat do not know of clumps.
 void checkClumps(const GrainProperties& properties, const ::nscd::Grains& grains, const Time& time)
 {
-    if (grains.clumps.empty()) return;
+    if (grains.clumps.shapes.empty()) return;
     const auto refuse = [&](const char* keyword, const char* what, const char* allowed)
     {
         fail({placeInDictionaryFile(time.globalPath()/time.constant()/"grainProperties", keyword), what, "", allowed});
@@ -159,7 +159,7 @@ GrainState CoupledRun::readState() const
 GrainState CoupledRun::newState() const
 {
     input::PlacedFactors factors;
-    GrainState state{makeFirstGrains(properties_, scene_, mesh_, *ranks_.exchange(), &factors), {}, {}, {}, {}};
+    GrainState state{makeFirstGrains(properties_, scene_, mesh_, *ranks_.exchange(), &factors), {}, {}, {}, {}, {}};
     if (!properties_.hasCoarseGrains && factors.areAllOne()) return state;
     std::vector<scalar>& factor = state.extras.scalars[coarseness.name];
     for (const std::int64_t id : state.grains.id) factor.push_back(factors.of(id));
@@ -177,7 +177,7 @@ RunNumbers CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
     if (isRestart && (properties_.hasCoarseGrains || CloudReader(mesh_, "grains").found(coarseness.name))) startCoarseGrains();
-    GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
+    GrainState state = isRestart ? ranks_.joinClumps(ranks_.joinContacts(readState(), mesh_), mesh_, properties_.materials) : newState();
     if (isRestart) checkRestart(state.grains, state.numbers.at("time"), scene_, properties_, mesh_, *ranks_.exchange());
     toldByFoam([&] { input::holdDriven(properties_.driven, state.grains, *ranks_.exchange(), isRestart && hasExits()); });
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;

@@ -26,7 +26,7 @@ Eigen::Matrix3d mobility(const ContactList& list, int owner, const Vec3& arm, in
 /// General body, if any, and arm of a contact with a body whose surface it touches at `side` R n from the body's center.
 void setSide(const ContactList& list, int body, const Vec3& toContact, int& owner, Vec3& arm)
 {
-    const int member = body < list.owned() ? list.general.memberOf[body] : -1;
+    const int member = list.general.member(body);
     owner = member >= 0 ? list.general.members[member].owner : -1;
     arm = member >= 0 ? Vec3(list.general.members[member].arm + list.radius[body]*toContact) : Vec3(Vec3::Zero());
 }
@@ -39,6 +39,7 @@ void setOperator(ContactList& list, std::size_t slot)
     const Vec3 n = normal(list, slot);
     setSide(list, block.a[lane], -n, contact.ownerA, contact.armA);
     setSide(list, block.b[lane], n, contact.ownerB, contact.armB);
+    if (slot/blockLanes >= list.general.firstInterface && contact.ownerA >= 0) contact.ownerA = list.general.halo.inInterface(contact.ownerA);
     contact.w = mobility(list, contact.ownerA, contact.armA, block.a[lane], n)
               + mobility(list, contact.ownerB, contact.armB, block.b[lane], n);
     contact.inverse = contact.w.inverse();

@@ -110,6 +110,7 @@ void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT,
     list.laws.startWarm(list, impulseScale);
     if (!list.general.empty()) prepareGeneralSlots(list, deltaT, deadBand, unreachable, impulseScale);
     list.halo.takeVelocities(list.bodies);
+    list.general.takeVelocities();
 }
 
 ContactForces& ContactForceSum::operator()(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT)

@@ -195,11 +195,3 @@ TEST(BadStart, clumpsStandBesideNoOtherLawsAndAreNoDiscsInAFluid)
     EXPECT_TRUE(refused(head + alone, {"fluid", "around clumps of discs"}, flat));
 }
 
-TEST(Ranks, doNotKnowClumps)
-{
-    const ProgramCase c(Files{{"constant/grainProperties", head + lattice(middle, alongX)}});
-    ASSERT_TRUE(succeeds(c.decompose(labelVector(1, 1, 2))));
-    const ProgramRun run = c.runOn(2);
-    EXPECT_NE(run.status, 0);
-    EXPECT_TRUE(holds(run.log, {"grains.clump", "is for runs on one rank"}));
-}
