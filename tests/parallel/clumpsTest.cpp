@@ -61,9 +61,9 @@ TEST(ClumpsOnRanks, anyCutMeetsTheLawsAndBalances)
     for (const OwnerOf& ownerOf : cuts())
     {
         RankedScene run(scene, settings, ownerOf);
-        for (int k = 0; k < 8; ++k)
+        for (int k = 0; k < 4; ++k)
         {
-            if (k == 4) run.repartition();
+            if (k == 2) run.repartition();
             const nscd::Grains before = run.gatherGrains();
             const nscd::StepReport report = step(run.dynamics(), scene.g, deltaT);
             ASSERT_TRUE(report.solve.converged) << k;
@@ -75,7 +75,7 @@ TEST(ClumpsOnRanks, anyCutMeetsTheLawsAndBalances)
             EXPECT_LT(map.imbalance, 1e-13) << k;
             EXPECT_LT(map.overlap, 2e-3*diameter) << k;
             EXPECT_GT(map.loaded, 40) << k;
-            if (ranks() > 1) EXPECT_GT(run.interfaceContacts(), 0) << k;
+            EXPECT_EQ(run.interfaceContacts() > 0, ranks() > 1) << k;
         }
     }
 }
@@ -83,9 +83,9 @@ TEST(ClumpsOnRanks, anyCutMeetsTheLawsAndBalances)
 TEST(ClumpsOnRanks, moveWithoutFrictionAsOnOne)
 {
     // Velocities are unique without friction.
-    const Scene scene = clumpHeap(27, 3, 0.0);
+    const Scene scene = settledHeap(0.0, 90);
     auto serial = scene.build(tight());
-    constexpr int steps = 120;
+    constexpr int steps = 20;
     std::size_t contacts = 0;
     for (int k = 0; k < steps; ++k) contacts = step(serial, scene.g, deltaT).solve.contacts;
     EXPECT_GT(contacts, 25u);
@@ -94,7 +94,7 @@ TEST(ClumpsOnRanks, moveWithoutFrictionAsOnOne)
         RankedScene run(scene, tight(), ownerOf);
         for (int k = 0; k < steps; ++k)
         {
-            if (k % 40 == 20) run.repartition();
+            if (k == 10) run.repartition();
             ASSERT_TRUE(step(run.dynamics(), scene.g, deltaT).solve.converged) << k;
         }
         const nscd::Grains grains = run.gatherGrains();
@@ -116,7 +116,7 @@ TEST(ClumpsOnRanks, overlapsAreTakenOutTogether)
         scene.grains.clumps.velocity[c] = scene.grains.clumps.angularMomentum[c] = Vec3::Zero();
         nscd::placeMembers(scene.grains, c, scene.box);
     }
-    for (Vec3& v : scene.grains.velocity) v.setZero();
+    for (std::size_t i = 0; i < scene.grains.size(); ++i) scene.grains.velocity[i] = scene.grains.omega[i] = Vec3::Zero();
     RankedScene run(scene, nscd::ContactSettings(), [](const Vec3&, std::int64_t id) { return static_cast<int>((id*7919) % ranks()); });
     const nscd::StepReport report = step(run.dynamics(), scene.g, deltaT);
     EXPECT_GT(report.overlapUncorrected, 2e-3);
@@ -133,5 +133,6 @@ TEST(ClumpsOnRanks, aMemberDoesNotGoAlone)
     const Scene scene = clumpHeap(1, 1, 0.0);
     std::vector<int> destination(scene.grains.size(), all.rank());
     destination.back() = (all.rank() + 1) % all.size();
-    if (all.size() > 1) EXPECT_THROW(nscd::Migration(all, destination).moveGrains(scene.grains), std::invalid_argument);
+    if (all.size() == 1) return;
+    EXPECT_THROW(nscd::Migration(all, destination).moveGrains(scene.grains), std::invalid_argument);
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // A body with a full Delassus operator in the contact problem.
+// Tested by tests/unit/nscd/contacts/general/generalSweepTest.cpp
 #pragma once
 
 #include "nscd/base/vec3.hpp"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // General bodies that contacts of several ranks move, and how their motions are kept one.
-// Tested by tests/parallel/clumpsOnRanksTest.cpp
+// Tested by tests/parallel/clumpsTest.cpp
 #pragma once
 
 #include "nscd/contacts/general/generalBody.hpp"
