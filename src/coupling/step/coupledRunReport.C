@@ -101,6 +101,7 @@ StepRow CoupledRun::describeStep()
     row.time = time_.value();
     row.deltaT = time_.deltaTValue();
     row.grains = totals.number;
+    row.clumps = totals.clumps;
     row.report = step_.grainReport;
     row.kineticEnergy = totals.kineticEnergy;
     row.massCenter = totals.massCenter;

@@ -141,7 +141,8 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     if (properties_.hasEntries()) startEntries(numbers);
     if (properties_.heat) startHeat();
     if (properties_.forces.isOn("field")) field_ = std::make_unique<ForceField>(properties_.forces.field, mesh);
-    report_ = std::make_unique<GrainReport>(time, properties_.heat != nullptr, coarse_ != nullptr);
+    const bool hasClumps = !dynamics_->grains().clumps.shapes.empty();
+    report_ = std::make_unique<GrainReport>(time, properties_.heat != nullptr, coarse_ != nullptr, hasClumps);
     if (properties_.hasWalls || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
     const stringList inflow = hasFluid() ? describeInflow(immersion_->fluid->U(), immersion_->sources.fluidFraction) : stringList();
     logScene(Info, properties_, scene_, totals(), mesh, hasGrainState(mesh), inflow);

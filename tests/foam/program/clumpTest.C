@@ -172,6 +172,8 @@ TEST(ClumpsInRuns, leaveThroughExitsAsWholes)
         ASSERT_TRUE(succeeds(c.run()));
         EXPECT_EQ(c.reported("0", "exited").back(), 13) << fluid;
         EXPECT_EQ(c.reported("0", "grains").back(), 6) << fluid;
+        EXPECT_EQ(c.reported("0", "clumps").front(), 6) << fluid;
+        EXPECT_EQ(c.reported("0", "clumps").back(), 2) << fluid;
         // From there on as well.
         c.writeControl("endTime 0.04;");
         ASSERT_TRUE(succeeds(c.run()));
