@@ -50,18 +50,24 @@ void setOperator(ContactList& list, std::size_t slot)
 
 } // namespace
 
-void prepareGeneralSlots(ContactList& list, double deltaT, double deadBand, double unreachable, double impulseScale)
+void setGeneralLaws(ContactList& list, double deltaT, double deadBand, double unreachable)
+{
+    for (std::size_t slot = list.general.firstBlock*blockLanes; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot)) continue;
+        setOperator(list, slot);
+        list.blocks[slot/blockLanes].bias[slot % blockLanes] = list.gap[slot] > deadBand ? std::min(list.gap[slot], unreachable*deltaT)/deltaT : 0.0;
+    }
+}
+
+void startGeneralSlots(ContactList& list, double impulseScale)
 {
     for (std::size_t k = list.general.firstBlock; k < list.blocks.size(); ++k)
     {
-        ContactBlock& block = list.blocks[k];
-        for (int lane = 0; lane < blockLanes; ++lane)
+        for (std::size_t slot = k*blockLanes; slot < (k + 1)*blockLanes; ++slot)
         {
-            const std::size_t slot = k*blockLanes + lane;
             if (!list.isUsed(slot)) continue;
-            setOperator(list, slot);
-            block.bias[lane] = list.gap[slot] > deadBand ? std::min(list.gap[slot], unreachable*deltaT)/deltaT : 0.0;
-            setImpulse(list, slot, admissible(impulseScale*impulse(list, slot), normal(list, slot), block.friction[lane]));
+            setImpulse(list, slot, admissible(impulseScale*impulse(list, slot), normal(list, slot), list.blocks[k].friction[slot % blockLanes]));
         }
         // Closing is judged by the free motion, so all blocks come before any impulse.
         if (isGeneralBlockActive(list.bodies.data(), list.blocks.data(), list.general, k)) list.awake.push_back(static_cast<std::uint32_t>(k));

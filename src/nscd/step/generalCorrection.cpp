@@ -65,12 +65,15 @@ double singleMobility(const ContactList& list, int body)
     return list.inverseMass[body]*(body < list.owned() ? 1.0 : list.halo.parts(body));
 }
 
-/// `owner`: as the slot has it, that of the body's copy between ranks.
-Side makeSide(const ContactList& list, int owner, int body, const Vec3& n)
+/// Between ranks the copy of a general body moves, where it has one.
+Side makeSide(const ContactList& list, int body, const Vec3& n, bool isBetweenRanks)
 {
-    if (owner < 0) return {-1, body, singleMobility(list, body), Vec3::Zero(), Vec3::Zero()};
+    const int number = list.general.member(body);
+    if (number < 0) return {-1, body, singleMobility(list, body), Vec3::Zero(), Vec3::Zero()};
+    const GeneralMember& member = list.general.members[number];
+    const int owner = isBetweenRanks ? list.general.halo.inInterface(member.owner) : member.owner;
     const GeneralBody& general = list.general.bodies[owner];
-    const Vec3 moment = list.general.members[list.general.member(body)].arm.cross(n);
+    const Vec3 moment = member.arm.cross(n);
     return {owner, body, general.invMass, moment, general.invInertia*moment};
 }
 
@@ -79,9 +82,8 @@ Push makePush(const ContactList& list, std::size_t slot, double target)
     const ContactBlock& block = list.blocks[slot/blockLanes];
     const int lane = slot % blockLanes;
     const Vec3 n = normal(list, slot);
-    const std::size_t first = list.general.firstBlock*blockLanes;
-    const GeneralSlot none, &general = slot < first ? none : list.general.slots[slot - first];
-    return {makeSide(list, general.ownerA, block.a[lane], n), makeSide(list, general.ownerB, block.b[lane], n), n, target - list.gap[slot]};
+    const bool isBetween = isBetweenRanks(list, slot);
+    return {makeSide(list, block.a[lane], n, isBetween), makeSide(list, block.b[lane], n, isBetween), n, target - list.gap[slot]};
 }
 
 /// The arms are those of the step's start: what a step turns changes little in them, and the next pass sees the true gaps.

@@ -105,7 +105,10 @@ void checkGeneralBodies
     checkClumps(grains, box);
     if (grains.clumps.empty()) return;
     if (settings.solver != "NLGS") throw invalidValue("contact solver", settings.solver, "NLGS where there are clumps");
-    for (const ContactLawRow* law : lawsInUse(materials)) throw invalidValue(law->words, "set", "none where there are clumps");
+    for (const ContactLawRow* law : lawsInUse(materials))
+    {
+        if (law->isSwept) throw invalidValue(law->words, "set", "none where there are clumps");
+    }
 }
 
 void setFreeGeneral(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT)
