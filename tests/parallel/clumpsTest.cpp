@@ -83,7 +83,7 @@ TEST(ClumpsOnRanks, anyCutMeetsTheLawsAndBalances)
 TEST(ClumpsOnRanks, moveWithoutFrictionAsOnOne)
 {
     // Velocities are unique without friction.
-    const Scene scene = settledHeap(0.0, 90);
+    const Scene scene = settledHeap(0.0, 110);
     auto serial = scene.build(tight());
     constexpr int steps = 20;
     std::size_t contacts = 0;
