@@ -27,14 +27,14 @@ struct ReachBall
     std::array<double, 3> position;
     double radius, reach, inverseMass;
     std::int64_t id;
-    int material, owner, index;
-    int padding = 0;  ///< no byte of a message is undefined
+    int material, owner, index, clump;
 };
 
 std::vector<ReachBall> ballsOf(int rank, const Grains& grains, const std::vector<double>& reach, const PeriodicBox& box)
 {
     std::vector<ReachBall> balls;
     balls.reserve(grains.nOwned);
+    const std::vector<int> clumpOf = clumpOfGrains(grains);
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         const Vec3 x = box.wrap(grains.position[i]);
@@ -42,7 +42,7 @@ std::vector<ReachBall> ballsOf(int rank, const Grains& grains, const std::vector
         const int index = static_cast<int>(i);
         balls.push_back
         (
-            {{x[0], x[1], x[2]}, grains.radius[i], reach[i], inverseMass, grains.id[i], grains.material[i], rank, index}
+            {{x[0], x[1], x[2]}, grains.radius[i], reach[i], inverseMass, grains.id[i], grains.material[i], rank, index, clumpOf.empty() ? -1 : clumpOf[i]}
         );
     }
     return balls;
@@ -134,7 +134,7 @@ bool meets(const ReachBall& ball, const Box& around, const PeriodicBox& box)
 GhostGrain ghostOf(const ReachBall& ball)
 {
     const Vec3 position(ball.position.data());
-    return {position, ball.radius, ball.reach, ball.inverseMass, ball.id, ball.material, ball.owner, ball.index};
+    return {position, ball.radius, ball.reach, ball.inverseMass, ball.id, ball.material, ball.owner, ball.index, ball.clump};
 }
 
 /// Balls of other ranks that meet this rank's box: at the last level, this rank is a half.

@@ -6,8 +6,10 @@
 
 #include "nscd/base/invalidValue.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <unordered_map>
 
 namespace nscd
 {
@@ -80,6 +82,46 @@ void write(const GrainRecord& record, Grains& grains, std::size_t i)
     });
 }
 
+/// A clump on its way, without Eigen's types.
+struct ClumpOnWay
+{
+    std::int64_t firstId;
+    Plain3 position, velocity, angularMomentum;
+    Plain4 orientation;
+    int shape;
+    int padding = 0;
+};
+
+ClumpOnWay onWay(const Grains& grains, std::size_t c)
+{
+    const Clumps& clumps = grains.clumps;
+    return
+    {
+        grains.id[clumps.firstMember[c]], plain(clumps.position[c]), plain(clumps.velocity[c]), plain(clumps.angularMomentum[c]),
+        plain(clumps.orientation[c]), clumps.shape[c]
+    };
+}
+
+void addClump(const ClumpOnWay& clump, int firstMember, Clumps& clumps)
+{
+    clumps.shape.push_back(clump.shape);
+    clumps.firstMember.push_back(firstMember);
+    clumps.position.push_back(vectorOf(clump.position));
+    clumps.orientation.push_back(quaternionOf(clump.orientation));
+    clumps.velocity.push_back(vectorOf(clump.velocity));
+    clumps.angularMomentum.push_back(vectorOf(clump.angularMomentum));
+}
+
+/// That of all of its members.
+int destinationOf(const Grains& grains, std::size_t c, const std::vector<int>& destination)
+{
+    const auto first = destination.begin() + grains.clumps.firstMember[c];
+    const auto isElsewhere = [first](int rank) { return rank != *first; };
+    const bool isTorn = std::any_of(first, first + static_cast<std::ptrdiff_t>(grains.clumps.shapeOf(c).members.size()), isElsewhere);
+    if (isTorn) throw invalidValue("destination of the members of clump " + std::to_string(c), "different ranks", "one rank");
+    return *first;
+}
+
 } // namespace
 
 Migration::Migration(const Communicator& all, std::vector<int> destination)
@@ -116,7 +158,23 @@ Grains Migration::moveGrains(const Grains& grains) const
     received.forEachArray([&](auto& values) { values.resize(records.size()); });
     received.nOwned = received.size();
     for (std::size_t i = 0; i < records.size(); ++i) write(records[i], received, i);
+    received.clumps.shapes = grains.clumps.shapes;
+    if (!grains.clumps.shapes.empty()) moveClumps(grains, received);
     return received;
+}
+
+void Migration::moveClumps(const Grains& grains, Grains& received) const
+{
+    std::vector<ClumpOnWay> sent;
+    std::vector<int> to;
+    for (std::size_t c = 0; c < grains.clumps.size(); ++c)
+    {
+        sent.push_back(onWay(grains, c));
+        to.push_back(destinationOf(grains, c, destination_));
+    }
+    std::unordered_map<std::int64_t, int> indexOf;
+    for (std::size_t i = 0; i < received.size(); ++i) indexOf.emplace(received.id[i], static_cast<int>(i));
+    for (const ClumpOnWay& clump : valuesOf<ClumpOnWay>(all_.exchange(messagesByRank(sent, to)))) addClump(clump, indexOf.at(clump.firstId), received.clumps);
 }
 
 std::vector<StoredImpulse> moveImpulses

@@ -32,12 +32,14 @@ public:
     std::vector<Vec3> move(const std::vector<Vec3>& values) const;
     std::vector<Quaternion> move(const std::vector<Quaternion>& values) const;
 
-    /// Moves the owned grains with all their properties, by one message per pair of ranks.
-    /// Ensures:  all that return are owned; the shape is this rank's
+    /// Moves the owned grains with all their properties, by one message per pair of ranks, and one more for clumps, which go as wholes.
+    /// Errors:   std::invalid_argument for members of a clump that go to different ranks
+    /// Ensures:  all that return are owned; the shape is this rank's, and so are those of clumps
     Grains moveGrains(const Grains& grains) const;
 
 private:
     void checkNumber(std::size_t number) const;
+    void moveClumps(const Grains& grains, Grains& received) const;
 
     const Communicator& all_;
     std::vector<int> destination_;

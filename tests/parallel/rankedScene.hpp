@@ -51,7 +51,7 @@ public:
     {
         const nscd::Grains& own = dynamics_.grains();
         const nscd::Communicator& all = exchange_->tree().all();
-        const std::vector<int> destination = nscd::partitionGrains(exchange_->tree(), own.position, dynamics_.loads());
+        const std::vector<int> destination = nscd::partitionGrains(exchange_->tree(), nscd::placesOfBodies(own), dynamics_.loads());
         double lastDeltaT = 0.0;
         std::vector<int> impulseTo;
         std::map<std::int64_t, int> rankOf;
@@ -86,6 +86,7 @@ public:
             grains.velocity[i] = Vec3(&all[k + 4]);
             grains.omega[i] = Vec3(&all[k + 7]);
         }
+        gatherClumps(grains);
         return grains;
     }
 
@@ -122,18 +123,73 @@ public:
     }
 
 private:
+    void gatherClumps(nscd::Grains& grains) const
+    {
+        const nscd::Clumps& own = dynamics_.grains().clumps;
+        std::vector<double> here;
+        for (std::size_t c = 0; c < own.size(); ++c)
+        {
+            here.push_back(static_cast<double>(dynamics_.grains().id[own.firstMember[c]]));
+            for (const Vec3& x : {own.position[c], own.velocity[c], own.angularMomentum[c]}) add(here, x);
+            here.insert(here.end(), own.orientation[c].coeffs().data(), own.orientation[c].coeffs().data() + 4);
+        }
+        const std::vector<double> all = gather(here);
+        nscd::Clumps& clumps = grains.clumps;
+        for (std::size_t k = 0; k < all.size(); k += 14)
+        {
+            const auto first = std::find(clumps.firstMember.begin(), clumps.firstMember.end(), static_cast<int>(all[k]));
+            const auto c = first - clumps.firstMember.begin();
+            clumps.position[c] = Vec3(&all[k + 1]);
+            clumps.velocity[c] = Vec3(&all[k + 4]);
+            clumps.angularMomentum[c] = Vec3(&all[k + 7]);
+            clumps.orientation[c].coeffs() = Eigen::Vector4d(&all[k + 10]);
+        }
+    }
+
+    /// A clump has the owner of its first member.
+    static std::vector<int> owners(const nscd::Grains& all, const OwnerOf& ownerOf)
+    {
+        std::vector<int> owner;
+        for (std::size_t i = 0; i < all.size(); ++i) owner.push_back(ownerOf(all.position[i], all.id[i]));
+        const nscd::Clumps& clumps = all.clumps;
+        for (std::size_t c = 0; c < clumps.size(); ++c)
+        {
+            const auto first = owner.begin() + clumps.firstMember[c];
+            std::fill_n(first, clumps.shapeOf(c).members.size(), *first);
+        }
+        return owner;
+    }
+
+    void addOwnClumps(const nscd::Grains& all, const std::vector<int>& owner, nscd::Grains& own) const
+    {
+        own.clumps.shapes = all.clumps.shapes;
+        for (std::size_t c = 0; c < all.clumps.size(); ++c)
+        {
+            const int first = all.clumps.firstMember[c];
+            if (owner[first] != exchange_->rank()) continue;
+            own.clumps.shape.push_back(all.clumps.shape[c]);
+            own.clumps.firstMember.push_back(static_cast<int>(std::find(own.id.begin(), own.id.end(), all.id[first]) - own.id.begin()));
+            own.clumps.position.push_back(all.clumps.position[c]);
+            own.clumps.orientation.push_back(all.clumps.orientation[c]);
+            own.clumps.velocity.push_back(all.clumps.velocity[c]);
+            own.clumps.angularMomentum.push_back(all.clumps.angularMomentum[c]);
+        }
+    }
+
     nscd::Grains mine(const nscd::Grains& all, const OwnerOf& ownerOf) const
     {
         nscd::Grains own;
         own.shape = all.shape;
+        const std::vector<int> owner = owners(all, ownerOf);
         for (std::size_t i = 0; i < all.size(); ++i)
         {
-            if (ownerOf(all.position[i], all.id[i]) != exchange_->rank()) continue;
+            if (owner[i] != exchange_->rank()) continue;
             own.add(all.position[i], all.radius[i], all.mass[i]/all.volume(i), all.material[i], all.id[i]);
             own.velocity.back() = all.velocity[i];
             own.omega.back() = all.omega[i];
             own.isFixed.back() = all.isFixed[i];
         }
+        addOwnClumps(all, owner, own);
         return own;
     }
 

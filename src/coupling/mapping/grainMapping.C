@@ -122,13 +122,13 @@ void GrainMapping::checkDimensions(const ::nscd::Grains& grains) const
     }
 }
 
-void GrainMapping::growHalo(const ::nscd::Grains& grains)
+void GrainMapping::growHalo(const ::nscd::Grains& grains, const scalar reachOfBodies)
 {
     if (!layout_->exchange.isParallel())
     {
         return;
     }
-    scalar largest = 0;
+    scalar largest = reachOfBodies;
     for (std::size_t i = 0; i < grains.nOwned; ++i) largest = std::max(largest, grains.radius[i]);
     largest = layout_->exchange.max(largest);
     if (largest > layout_->reach)
@@ -166,25 +166,25 @@ void GrainMapping::listMissing(const ::nscd::Grains& grains)
         {
             report_.outsideMesh.push_back(grains.id[i]);
         }
-        else if (!layout_->mesh.isOwn(cells_[i]))
+        else if (!layout_->mesh.isOwn(cells_[i]) && (!hasBodies() || bodies_.isFirst(i)))
         {
             report_.away.push_back({i, grains.id[i], layout_->mesh.home(cells_[i])});
         }
     }
 }
 
-// Returns the part of the ball that is in cells.
-scalar GrainMapping::buildRow(const LocatedBall& ball, WeightMatrix& rows)
+// Returns the part of the ball that is in cells. Balls at home are in own cells, or parts of bodies of which the first ball is.
+scalar GrainMapping::buildRow(const LocatedBall& ball, const bool isHome, WeightMatrix& rows)
 {
     const std::size_t first = rows.shares.size();
-    const scalar covered = layout_->mesh.isOwn(ball.cell) ? method_.appendShares(layout_->tools, ball, rows.shares) : 1;
+    const scalar covered = isHome ? method_.appendShares(layout_->tools, ball, rows.shares) : 1;
     scalar sum = 0;
     for (std::size_t k = first; k < rows.shares.size(); ++k)
     {
         sum += rows.shares[k].share;
     }
     // A small grain in a sliver between halves of a mesh that slide past each other reaches no cell.
-    if (sum <= 0 && layout_->mesh.isOwn(ball.cell))
+    if (sum <= 0 && isHome)
     {
         rows.shares.resize(first);
         rows.shares.push_back({ball.cell, 1});
@@ -242,10 +242,13 @@ bool GrainMapping::updateRows(std::vector<LocatedBall> balls)
     rows.clear();
     rows.shares.reserve(before.shares.size());
     covered_.resize(balls.size());
+    std::size_t first = 0;   // ball of the body
     for (std::size_t i = 0; i < balls.size(); ++i)
     {
-        if (isUnmoved(i)) rows.copyRow(before, label(i));
-        else covered_[i] = buildRow(balls[i], rows);
+        if (!hasBodies() || bodies_.isFirst(i)) first = i;
+        const bool isHome = layout_->mesh.isOwn(balls[first].cell) && balls[i].cell >= 0;
+        if (isUnmoved(i) && isUnmoved(first)) rows.copyRow(before, label(i));
+        else covered_[i] = buildRow(balls[i], isHome, rows);
     }
     balls_ = std::move(balls);
     if (hasBodies()) joinRows();
@@ -293,7 +296,7 @@ const MappingReport& GrainMapping::update
 )
 {
     checkDimensions(grains);
-    growHalo(grains);
+    growHalo(grains, bodies.reach);
     setBodies(bodies);
     box_ = box;
     const bool isChanged = updateRows(locate(grains, box)) || !isBuilt_;

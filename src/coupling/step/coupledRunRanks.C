@@ -6,9 +6,12 @@
 #include "coupling/step/coupledRun.H"
 
 #include "coupling/base/vectorConversion.H"
+#include "coupling/case/files/clumpParts.H"
 #include "coupling/case/files/entryNumbers.H"
 
 #include "nscd/base/formattedText.hpp"
+
+#include "PstreamReduceOps.H"
 
 namespace Foam
 {
@@ -36,9 +39,11 @@ GrainState CoupledRun::takeState()
 void CoupledRun::setState(const GrainState& state)
 {
     dynamics_->setGrains(state.grains);
+    bodies_.forgetForms();
     bodies_.update(dynamics_->grains());
     dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
-    memory_.takeFrom(state);
+    if (bodies_.areGrains()) memory_.takeFrom(state);
+    else memory_.takeFrom({{}, bodies_.ofFirstGrains(state.extras), bodies_.ofFirstGrains(state.unwritten), {}, {}, {}});
     if (homes_) homes_->forget();
     if (hasFluid() && hasGrains()) updateWeights();
 }
@@ -65,9 +70,9 @@ void CoupledRun::bringHome()
     // the mapping wants it.
     for (int attempt = 0; attempt < 3; ++attempt)
     {
-        fluid.atHome.update(dynamics_->grains(), homes_->homes());
+        fluid.atHome.update(dynamics_->grains(), homes_->homes(), bodies_.parts());
         fluid.mapping->lookFirstIn(fluid.atHome.cells());
-        const MappingReport& report = fluid.mapping->update(fluid.atHome.grains(), scene_.box);
+        const MappingReport& report = fluid.mapping->update(fluid.atHome.grains(), scene_.box, fluid.atHome.bodies());
         if (returnReduce(report.away.empty() && report.outsideMesh.empty(), andOp<bool>())) return;
         std::vector<scalar> rank(fluid.atHome.cells().size(), Pstream::myProcNo());
         std::vector<scalar> cell(fluid.atHome.cells().begin(), fluid.atHome.cells().end());
@@ -76,8 +81,8 @@ void CoupledRun::bringHome()
             rank[grain.grain] = grain.home.rank;
             cell[grain.grain] = grain.home.cell;
         }
-        fluid.atHome.toOwners({{&rank, &cell}, {}});
-        homes_->correct(rank, cell);
+        fluid.atHome.grainsToOwners({{&rank, &cell}, {}});
+        homes_->correct(rank, cell, bodies_.parts());
     }
     const MappingReport& report = fluid.mapping->report();
     for (const std::int64_t id : report.outsideMesh) Pout<< "grain " << label(id) << " is in no cell" << endl;
@@ -108,11 +113,13 @@ void CoupledRun::writeOnHomes(GrainState state)
         rank.push_back(home.rank);
         cell.push_back(home.cell);
     }
+    if (returnReduce(!state.grains.clumps.empty(), orOp<bool>())) state.clumpParts = clumpParts(state.grains);
+    state.grains.clumps = ::nscd::Clumps();
     state = ranks_.moved(state, rank);
     cell = ranks_.moved(cell, rank);
     writeGrainState(mesh_, state, properties_.materials.table, toLabelList(cell));
     // From here on as a restart, which finds the grains in this order and knows no loads.
-    setState(ranks_.share(state, {}));
+    setState(ranks_.share(ranks_.joinClumps(std::move(state), mesh_, properties_.materials), {}));
 }
 
 } // namespace nscdCoupling

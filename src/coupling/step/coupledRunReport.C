@@ -84,9 +84,11 @@ GrainTotals CoupledRun::totals() const
 {
     GrainTotals totals = sumGrains(dynamics_->grains(), *ranks_.exchange());
     if (coarse_) coarse_->describe(dynamics_->grains(), *ranks_.exchange(), totals);
-    if (bodies_.areGrains()) return totals;
+    if (dynamics_->grains().clumps.shapes.empty()) return totals;
     const GrainTotals ofBodies = sumGrains(bodies(), *ranks_.exchange());
-    totals.clumps = static_cast<std::int64_t>(dynamics_->grains().clumps.size());
+    double clumps = double(dynamics_->grains().clumps.size());
+    ranks_.exchange()->sum(&clumps, 1);
+    totals.clumps = static_cast<std::int64_t>(clumps);
     totals.volume = ofBodies.volume;
     totals.massCenter = ofBodies.massCenter;
     return totals;
@@ -99,6 +101,7 @@ StepRow CoupledRun::describeStep()
     row.time = time_.value();
     row.deltaT = time_.deltaTValue();
     row.grains = totals.number;
+    row.clumps = totals.clumps;
     row.report = step_.grainReport;
     row.kineticEnergy = totals.kineticEnergy;
     row.massCenter = totals.massCenter;

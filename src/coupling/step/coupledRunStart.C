@@ -91,7 +91,7 @@ void tellChosenWidth(const VoidFractionSettings& settings, scalar meanDiameter, 
 /// What the fluid and the heat do not know of clumps.
 void checkClumps(const GrainProperties& properties, const ::nscd::Grains& grains, const Time& time)
 {
-    if (grains.clumps.empty()) return;
+    if (grains.clumps.shapes.empty()) return;
     const auto refuse = [&](const char* keyword, const char* what, const char* allowed)
     {
         fail({placeInDictionaryFile(time.globalPath()/time.constant()/"grainProperties", keyword), what, "", allowed});
@@ -141,7 +141,8 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     if (properties_.hasEntries()) startEntries(numbers);
     if (properties_.heat) startHeat();
     if (properties_.forces.isOn("field")) field_ = std::make_unique<ForceField>(properties_.forces.field, mesh);
-    report_ = std::make_unique<GrainReport>(time, properties_.heat != nullptr, coarse_ != nullptr);
+    const bool hasClumps = !dynamics_->grains().clumps.shapes.empty();
+    report_ = std::make_unique<GrainReport>(time, properties_.heat != nullptr, coarse_ != nullptr, hasClumps);
     if (properties_.hasWalls || scene_.walls.anyMotion()) wallOutput_ = std::make_unique<WallOutput>(time, scene_.walls);
     const stringList inflow = hasFluid() ? describeInflow(immersion_->fluid->U(), immersion_->sources.fluidFraction) : stringList();
     logScene(Info, properties_, scene_, totals(), mesh, hasGrainState(mesh), inflow);
@@ -159,7 +160,7 @@ GrainState CoupledRun::readState() const
 GrainState CoupledRun::newState() const
 {
     input::PlacedFactors factors;
-    GrainState state{makeFirstGrains(properties_, scene_, mesh_, *ranks_.exchange(), &factors), {}, {}, {}, {}};
+    GrainState state{makeFirstGrains(properties_, scene_, mesh_, *ranks_.exchange(), &factors), {}, {}, {}, {}, {}};
     if (!properties_.hasCoarseGrains && factors.areAllOne()) return state;
     std::vector<scalar>& factor = state.extras.scalars[coarseness.name];
     for (const std::int64_t id : state.grains.id) factor.push_back(factors.of(id));
@@ -177,7 +178,7 @@ RunNumbers CoupledRun::startGrains()
 {
     const bool isRestart = hasGrainState(mesh_);
     if (isRestart && (properties_.hasCoarseGrains || CloudReader(mesh_, "grains").found(coarseness.name))) startCoarseGrains();
-    GrainState state = isRestart ? ranks_.joinContacts(readState(), mesh_) : newState();
+    GrainState state = isRestart ? ranks_.joinClumps(ranks_.joinContacts(readState(), mesh_), mesh_, properties_.materials) : newState();
     if (isRestart) checkRestart(state.grains, state.numbers.at("time"), scene_, properties_, mesh_, *ranks_.exchange());
     toldByFoam([&] { input::holdDriven(properties_.driven, state.grains, *ranks_.exchange(), isRestart && hasExits()); });
     nGrains_ = sumGrains(state.grains, *ranks_.exchange()).number;

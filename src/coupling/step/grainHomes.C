@@ -147,11 +147,11 @@ void GrainHomes::erase(const std::vector<std::size_t>& indices)
     eraseAt(homes_, indices);
 }
 
-void GrainHomes::correct(const std::vector<scalar>& rank, const std::vector<scalar>& cell)
+void GrainHomes::correct(const std::vector<scalar>& rank, const std::vector<scalar>& cell, const MappedBodies& bodies)
 {
     for (std::size_t i = 0; i < homes_.size(); ++i)
     {
-        if (homes_[i].rank >= 0) homes_[i] = {int(rank[i]), label(cell[i])};
+        if (homes_[i].rank >= 0 && (bodies.empty() || bodies.isFirst(i))) homes_[i] = {int(rank[i]), label(cell[i])};
     }
 }
 

@@ -4,6 +4,8 @@
 // Moving grains and their contacts between ranks.
 #include "coupling/step/grainRanks.H"
 
+#include "coupling/case/files/clumpParts.H"
+
 #include "parallel/grainPartition.hpp"
 #include "parallel/idDirectory.hpp"
 #include "parallel/migration.hpp"
@@ -96,6 +98,22 @@ GrainState GrainRanks::joinContacts(GrainState state, const polyMesh& mesh) cons
     return state;
 }
 
+GrainState GrainRanks::joinClumps(GrainState state, const polyMesh& mesh, const input::MaterialTable& materials) const
+{
+    if (!isParallel() || !areClumpsApart(state)) return state;
+    const std::vector<scalar>& clump = state.clumpParts.scalars.at(part::clump);
+    std::vector<std::int64_t> first;
+    for (std::size_t i = 0; i < clump.size(); ++i) first.push_back(clump[i] < 0 ? state.grains.id[i] : std::int64_t(clump[i]));
+    const std::vector<int> destination = ::nscd::IdDirectory(mpi_->tree().all(), state.grains.id).owners(first);
+    for (std::size_t i = 0; i < destination.size(); ++i)
+    {
+        if (destination[i] < 0) refuseClump(mesh, label(clump[i]), "whose first member is not there");
+    }
+    state = moved(state, destination);
+    joinClumpParts(state, mesh, materials);
+    return state;
+}
+
 GrainState GrainRanks::moved(const GrainState& state, const std::vector<int>& destination) const
 {
     const ::nscd::Migration move(mpi_->tree().all(), destination);
@@ -103,6 +121,7 @@ GrainState GrainRanks::moved(const GrainState& state, const std::vector<int>& de
     there.grains = move.moveGrains(state.grains);
     there.extras = movedExtras(move, state.extras);
     there.unwritten = movedExtras(move, state.unwritten);
+    there.clumpParts = movedExtras(move, state.clumpParts);
     there.contacts = ::nscd::moveImpulses(mpi_->tree().all(), state.contacts, destinationsOfContacts(state, destination));
     there.numbers = state.numbers;
     return there;
@@ -117,7 +136,7 @@ GrainState GrainRanks::share(const GrainState& state, std::vector<double> load)
 {
     if (!isParallel()) return state;
     if (load.empty()) load.assign(state.grains.size(), 1.0);
-    const std::vector<int> owner = ::nscd::partitionGrains(mpi_->tree(), state.grains.position, load);
+    const std::vector<int> owner = ::nscd::partitionGrains(mpi_->tree(), ::nscd::placesOfBodies(state.grains), load);
     before_ = imbalanceOf(load);
     after_ = imbalanceOf(::nscd::Migration(mpi_->tree().all(), owner).move(load));
     steps_ = 0;

@@ -65,9 +65,7 @@ void checkMembers(const CheckedEntries& given, const std::string& keyword, const
 ClumpSource readClump(const CheckedEntries& given, const GrainSource& source, const Surroundings& around)
 {
     ClumpSource clump;
-    if (!given.dict().find("clump") && !around.hasClumps) return clump;
     if (!given.found("clump")) return clump;
-    if (!around.hasClumps) given.reject("clump", "is for runs on one rank", "single grains, or one rank");
     if (source.isFixed) given.reject("clump", "cannot be held", "motion free, or single grains that are fixed");
     if (source.lattice.spread > 0.0) given.reject("spread", "stands beside clump", "clumps of one size: several sources for several sizes");
     const CheckedEntries dict(given.sub("clump"));

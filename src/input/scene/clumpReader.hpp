@@ -10,7 +10,7 @@ namespace input
 {
 
 /// `clump` of a source: its balls, or discs, and how they are turned; without the keyword no members.
-/// Errors: InputError; for the keyword itself where the program knows no clumps
+/// Errors: InputError
 ClumpSource readClump(const CheckedEntries& given, const GrainSource& source, const Surroundings& around);
 
 } // namespace input

@@ -50,6 +50,7 @@ void checkLawsOfClumps(const MaterialTable& materials)
 {
     for (const nscd::ContactLawRow* law : nscd::lawsInUse(materials.table))
     {
+        if (!law->isSwept) continue;
         throw InputError({materials.contactsPlace, std::string("has ") + law->words + ", which contacts of clumps do not know", "", "none beside clumps"});
     }
 }

@@ -115,7 +115,6 @@ struct Surroundings
     PathOf pathOfSurface = [](const std::string& path) { return path; };
     int nRanks = 1;
     bool sleepsByDefault = true;       ///< grains at rest, where `sleep` is not given
-    bool hasClumps = true;
     bool hasFluid = false;             ///< whether grains may take the velocity of one when they enter
     bool hasCoarseGrains = false;      ///< whether bodies may stand for several real grains
 

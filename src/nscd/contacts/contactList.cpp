@@ -122,10 +122,14 @@ void keepNeeded(ContactList& list, const std::vector<GhostGrain>& ghosts, std::v
     for (Candidate& c : interface) c.b = number[c.b - list.owned()];
 }
 
-std::vector<int> interfaceBodies(const std::vector<Candidate>& interface)
+/// Without members of general bodies, which move with these.
+std::vector<int> interfaceBodies(const std::vector<Candidate>& interface, const GeneralBodies& general)
 {
     std::vector<int> bodies;
-    for (const Candidate& c : interface) bodies.push_back(c.a);
+    for (const Candidate& c : interface)
+    {
+        if (general.member(c.a) < 0) bodies.push_back(c.a);
+    }
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     return bodies;
@@ -138,7 +142,8 @@ void joinHalo(ContactList& list, std::vector<Candidate>& interface, Exchange& ex
     for (int body = 0; body < list.owned(); ++body) bodyOf[list.grainOf[body]] = body;
     std::vector<int> shared = exchange.connect(list.ghosts);
     for (int& grain : shared) grain = bodyOf[grain];
-    list.halo = Halo(exchange, list.owned(), list.ghosts.size(), std::move(shared), interfaceBodies(interface));
+    list.halo = Halo(exchange, list.owned(), list.ghosts.size(), std::move(shared), interfaceBodies(interface, list.general));
+    if (!list.general.empty()) joinGeneralBodies(list, interface, exchange);
 
     const std::vector<int>& copied = list.halo.copied();
     for (int body : copied) addBody(list, list.position[body], list.radius[body], list.inverseMass[body], list.id[body]);
@@ -164,19 +169,19 @@ void addWallBodies(ContactList& list, const Scene& scene, Candidates& candidates
     }
 }
 
-void findMovingSlots(ContactList& list, const std::vector<Candidate>& candidates, const Batches& batches)
+void findMovingSlots(ContactList& list, const std::vector<Candidate>& candidates, const std::vector<std::uint32_t>& slotOf)
 {
     list.movingSlots.resize(list.staticBody() - list.firstWallBody());
     if (list.movingSlots.empty()) return;
     for (std::size_t k = 0; k < candidates.size(); ++k)
     {
         const int body = candidates[k].b - list.firstWallBody();
-        if (candidates[k].wall >= 0 && candidates[k].b < list.staticBody()) list.movingSlots[body] = batches.slotOf[k];
+        if (candidates[k].wall >= 0 && candidates[k].b < list.staticBody()) list.movingSlots[body] = slotOf[k];
     }
 }
 
 /// Groups the slots of outlined walls by body, for bodies near more than one.
-void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, const Batches& batches)
+void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, const std::vector<std::uint32_t>& slotOf)
 {
     list.wallSlotStart.assign(1, 0);
     std::size_t k = 0;
@@ -187,11 +192,22 @@ void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Can
         for (; k < candidates.size() && candidates[k].a == body; ++k)
         {
             const int wall = candidates[k].wall;
-            if (wall >= 0 && !scene.walls.regions[wall].edges.empty()) list.wallSlots.push_back(static_cast<int>(batches.slotOf[k]));
+            if (wall >= 0 && !scene.walls.regions[wall].edges.empty()) list.wallSlots.push_back(static_cast<int>(slotOf[k]));
         }
         if (list.wallSlots.size() == before + 1) list.wallSlots.pop_back();
         if (list.wallSlots.size() > before) list.wallSlotStart.push_back(static_cast<int>(list.wallSlots.size()));
     }
+}
+
+/// Blocks without general bodies.
+CandidateSlots packSingle(ContactList& list, const Scene& scene, const std::vector<int>& material, const Candidates& candidates, double diameter)
+{
+    Batches inner = batchNearAndFar(list, scene, candidates.inner, diameter), interface = batchNearAndFar(list, scene, candidates.interface, diameter);
+    reserveBlocks(list, scene, inner.blocks + interface.blocks);
+    appendBlocks(list, scene, material, candidates.inner, inner);
+    list.interfaceBlock = list.blocks.size();
+    appendBlocks(list, scene, material, candidates.interface, interface);
+    return {std::move(inner.slotOf), std::move(interface.slotOf)};
 }
 
 } // namespace
@@ -199,21 +215,16 @@ void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Can
 CandidateSlots packCandidates(ContactList& list, const Scene& scene, Candidates& candidates, double diameter)
 {
     addWallBodies(list, scene, candidates);
-
-    Batches inner = list.general.empty() ? batchNearAndFar(list, scene, candidates.inner, diameter) : batchWithGeneral(list, scene, candidates.inner, diameter);
-    Batches interface = batchNearAndFar(list, scene, candidates.interface, diameter);
-    reserveBlocks(list, scene, inner.blocks + interface.blocks);
     const std::vector<int> material = materialOfBodies(list, scene);
-    appendBlocks(list, scene, material, candidates.inner, inner);
-    groupWallSlots(list, scene, candidates.inner, inner);
-    findMovingSlots(list, candidates.inner, inner);
-    list.interfaceBlock = list.general.empty() ? list.blocks.size() : list.general.firstBlock;
-    appendBlocks(list, scene, material, candidates.interface, interface);
+    CandidateSlots slots = list.general.empty()
+        ? packSingle(list, scene, material, candidates, diameter) : packWithGeneral(list, scene, material, candidates, diameter);
+    groupWallSlots(list, scene, candidates.inner, slots.inner);
+    findMovingSlots(list, candidates.inner, slots.inner);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         if (list.wall[slot] >= 0) list.slotsOfWalls.push_back(static_cast<std::uint32_t>(slot));
     }
-    return {std::move(inner.slotOf), std::move(interface.slotOf)};
+    return slots;
 }
 
 ContactList buildContactList
@@ -227,6 +238,7 @@ ContactList buildContactList
     list.laws = ListLaws(scene.materials);
     sortBodies(list, scene.grains, reach, diameter);
     list.general = listGeneralBodies(scene.grains.clumps, list.grainOf);
+    list.general.isThere = areClumpsAnywhere(scene.grains.clumps, exchange);
     const std::vector<GhostGrain> ghosts = exchange.findGhosts(scene.grains, reach, scene.box);
     const std::vector<double> reachOfAll = addGhosts(list, ghosts);
     const double range = rangeOfLaws(scene.materials);

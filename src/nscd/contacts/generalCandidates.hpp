@@ -4,8 +4,8 @@
 // Candidates of general bodies: which there are, and where they go in the list.
 #pragma once
 
-#include "nscd/contacts/contactBatching.hpp"
-#include "nscd/contacts/contactList.hpp"
+#include "nscd/contacts/contactCandidates.hpp"
+#include "nscd/scene/exchange.hpp"
 
 #include <vector>
 
@@ -18,8 +18,18 @@ GeneralBodies listGeneralBodies(const Clumps& clumps, const std::vector<int>& gr
 /// Takes out pairs of members of one body, which never meet.
 void removeWithinBodies(std::vector<Candidate>& candidates, const GeneralBodies& general);
 
-/// batchNearAndFar() for the others; candidates of general bodies go to blocks behind, in their order: no kernel works on them, so that lanes need
-/// not be independent. Sets the list's first general block and makes its slots.
-Batches batchWithGeneral(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates, double diameter);
+/// Whether any rank has clumps. Collective, where there may be some.
+bool areClumpsAnywhere(const Clumps& clumps, const Exchange& exchange);
+
+/// Adds ghosts and copies of general bodies to a list whose grains are joined with those of other ranks. `interface`: the candidates between ranks.
+/// Collective.
+void joinGeneralBodies(ContactList& list, const std::vector<Candidate>& interface, Exchange& exchange);
+
+/// Makes the blocks of a list with general bodies. Single grains have theirs as in other lists; candidates of general bodies go to blocks behind, in
+/// their order, those between ranks last. Makes the slots of general bodies.
+CandidateSlots packWithGeneral(ContactList& list, const Scene& scene, const std::vector<int>& material, const Candidates& candidates, double diameter);
+
+/// Whether the contact of a slot joins two ranks.
+bool isBetweenRanks(const ContactList& list, std::size_t slot);
 
 } // namespace nscd

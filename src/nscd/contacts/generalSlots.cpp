@@ -26,7 +26,7 @@ Eigen::Matrix3d mobility(const ContactList& list, int owner, const Vec3& arm, in
 /// General body, if any, and arm of a contact with a body whose surface it touches at `side` R n from the body's center.
 void setSide(const ContactList& list, int body, const Vec3& toContact, int& owner, Vec3& arm)
 {
-    const int member = body < list.owned() ? list.general.memberOf[body] : -1;
+    const int member = list.general.member(body);
     owner = member >= 0 ? list.general.members[member].owner : -1;
     arm = member >= 0 ? Vec3(list.general.members[member].arm + list.radius[body]*toContact) : Vec3(Vec3::Zero());
 }
@@ -39,6 +39,7 @@ void setOperator(ContactList& list, std::size_t slot)
     const Vec3 n = normal(list, slot);
     setSide(list, block.a[lane], -n, contact.ownerA, contact.armA);
     setSide(list, block.b[lane], n, contact.ownerB, contact.armB);
+    if (slot/blockLanes >= list.general.firstInterface && contact.ownerA >= 0) contact.ownerA = list.general.halo.inInterface(contact.ownerA);
     contact.w = mobility(list, contact.ownerA, contact.armA, block.a[lane], n)
               + mobility(list, contact.ownerB, contact.armB, block.b[lane], n);
     contact.inverse = contact.w.inverse();
@@ -49,18 +50,24 @@ void setOperator(ContactList& list, std::size_t slot)
 
 } // namespace
 
-void prepareGeneralSlots(ContactList& list, double deltaT, double deadBand, double unreachable, double impulseScale)
+void setGeneralLaws(ContactList& list, double deltaT, double deadBand, double unreachable)
+{
+    for (std::size_t slot = list.general.firstBlock*blockLanes; slot < list.slots(); ++slot)
+    {
+        if (!list.isUsed(slot)) continue;
+        setOperator(list, slot);
+        list.blocks[slot/blockLanes].bias[slot % blockLanes] = list.gap[slot] > deadBand ? std::min(list.gap[slot], unreachable*deltaT)/deltaT : 0.0;
+    }
+}
+
+void startGeneralSlots(ContactList& list, double impulseScale)
 {
     for (std::size_t k = list.general.firstBlock; k < list.blocks.size(); ++k)
     {
-        ContactBlock& block = list.blocks[k];
-        for (int lane = 0; lane < blockLanes; ++lane)
+        for (std::size_t slot = k*blockLanes; slot < (k + 1)*blockLanes; ++slot)
         {
-            const std::size_t slot = k*blockLanes + lane;
             if (!list.isUsed(slot)) continue;
-            setOperator(list, slot);
-            block.bias[lane] = list.gap[slot] > deadBand ? std::min(list.gap[slot], unreachable*deltaT)/deltaT : 0.0;
-            setImpulse(list, slot, admissible(impulseScale*impulse(list, slot), normal(list, slot), block.friction[lane]));
+            setImpulse(list, slot, admissible(impulseScale*impulse(list, slot), normal(list, slot), list.blocks[k].friction[slot % blockLanes]));
         }
         // Closing is judged by the free motion, so all blocks come before any impulse.
         if (isGeneralBlockActive(list.bodies.data(), list.blocks.data(), list.general, k)) list.awake.push_back(static_cast<std::uint32_t>(k));

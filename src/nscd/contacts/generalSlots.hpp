@@ -9,7 +9,10 @@
 namespace nscd
 {
 
-/// Sets W, bias and warm start of general contacts, as prepareSlots() does for the others, and adds blocks that matter to list.awake.
-void prepareGeneralSlots(ContactList& list, double deltaT, double deadBand, double unreachable, double impulseScale);
+/// Sets W and bias of general contacts, as prepareSlots() does for the others.
+void setGeneralLaws(ContactList& list, double deltaT, double deadBand, double unreachable);
+
+/// Adds general blocks that matter to list.awake, and gives their bodies the impulses of the last step times `impulseScale`, made admissible.
+void startGeneralSlots(ContactList& list, double impulseScale);
 
 } // namespace nscd

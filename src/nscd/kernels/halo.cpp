@@ -130,6 +130,16 @@ void Halo::take(std::vector<Vec3>& perBody) const
     for (std::size_t k = 0; k < shared_.size(); ++k) perBody[shared_[k]] += triple(toOthers_, k);
 }
 
+void Halo::takeChanges(std::vector<Vec3>& perBody, const std::vector<Vec3>& given) const
+{
+    for (std::size_t k = 0; k < given.size(); ++k)
+    {
+        Vec3& x = perBody[ownBodies_ + k];
+        x = (x - given[k])/parts_[k];
+    }
+    take(perBody);
+}
+
 void Halo::takeSmallest(std::vector<double>& perBody) const
 {
     if (!exchange_) return;

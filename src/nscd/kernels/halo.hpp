@@ -47,6 +47,8 @@ public:
 
     /// Overwrites ghosts' and copies' entries with their owners'.
     void give(std::vector<Vec3>& perBody) const;
+    /// Moves the owners' entries by the means of what became of the ghosts' and copies' since give(), whose `given` entries were theirs, ghosts first.
+    void takeChanges(std::vector<Vec3>& perBody, const std::vector<Vec3>& given) const;
     /// Adds ghosts' and copies' entries to their owners'.
     void take(std::vector<Vec3>& perBody) const;
 

@@ -20,6 +20,7 @@ struct PeriodicBox;
 /// in the order of the shape; they move with their clump. Orientation turns the shape's axes to those of the world.
 struct Clumps
 {
+    /// On several ranks the same list on all of them, whatever clumps each has.
     std::vector<ClumpShape> shapes;
 
     // Per clump.

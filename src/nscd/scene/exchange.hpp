@@ -24,6 +24,7 @@ struct GhostGrain
     int material;
     int owner;             ///< rank that owns it
     int index;             ///< in the owner's grains
+    int clump = -1;        ///< in the owner's clumps, -1: a single grain
 };
 
 /// An impulse that the grain `index` of rank `rank` gets from grain `id`.

@@ -62,6 +62,17 @@ double totalVolume(const Grains& grains)
 
 std::vector<int> bodyOfGrains(const Grains& grains) { return clumpOfGrains(grains); }
 
+std::vector<Vec3> placesOfBodies(const Grains& grains)
+{
+    std::vector<Vec3> places = grains.position;
+    const std::vector<int> clumpOf = clumpOfGrains(grains);
+    for (std::size_t i = 0; i < clumpOf.size(); ++i)
+    {
+        if (clumpOf[i] >= 0) places[i] = grains.clumps.position[clumpOf[i]];
+    }
+    return places;
+}
+
 std::array<double, 2> massExtremes(const Grains& grains)
 {
     std::array<double, 2> extremes = {0.0, 0.0};

@@ -97,6 +97,9 @@ double totalVolume(const Grains& grains);
 /// The rigid body that each grain is a part of, -1: it is one itself; empty where all are.
 std::vector<int> bodyOfGrains(const Grains& grains);
 
+/// Where the body of each grain is: its own center, or the mass center of its clump, by which clumps are shared out among ranks [m].
+std::vector<Vec3> placesOfBodies(const Grains& grains);
+
 /// Of all bodies that move, the largest mass [kg] and the largest inverse of one [1/kg]; zeros when none does.
 std::array<double, 2> massExtremes(const Grains& grains);
 

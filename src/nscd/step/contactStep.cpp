@@ -105,11 +105,13 @@ void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT,
         prefetch(list.bodies.data(), list.blocks.data(), {nullptr, blocks}, k);
         if (kernels.setLaws(list.bodies.data(), list.blocks[k], &list.gap[k*blockLanes], law)) list.awake.push_back(static_cast<std::uint32_t>(k));
     }
+    if (!list.general.empty()) setGeneralLaws(list, deltaT, deadBand, unreachable);
     list.laws.giveKnown(list, deltaT, deadBand);
     kernels.startWarm(list.bodies.data(), list.blocks.data(), {list.awake.data(), list.awake.size()}, impulseScale);
     list.laws.startWarm(list, impulseScale);
-    if (!list.general.empty()) prepareGeneralSlots(list, deltaT, deadBand, unreachable, impulseScale);
+    if (!list.general.empty()) startGeneralSlots(list, impulseScale);
     list.halo.takeVelocities(list.bodies);
+    list.general.takeVelocities();
 }
 
 ContactForces& ContactForceSum::operator()(const ContactList& list, BlockRange loaded, const Scene& scene, double deltaT)

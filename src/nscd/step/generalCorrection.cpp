@@ -6,6 +6,7 @@
 
 #include "nscd/base/freeRotation.hpp"
 #include "nscd/contacts/contactGeometry.hpp"
+#include "nscd/contacts/generalCandidates.hpp"
 #include "nscd/step/generalMotion.hpp"
 
 #include <algorithm>
@@ -19,10 +20,11 @@ namespace
 
 constexpr int maxCorrectionSweeps = 50;
 
-/// What moves one side of a contact: number of a body, general ones before single ones, and its turn per impulse along n.
+/// What moves one side of a contact: a general body, or one of the list, and its turn per impulse along n.
 struct Side
 {
-    std::size_t body;
+    int owner;     ///< general body, or -1
+    int body;      ///< of the list
     double invMass;
     Vec3 moment;   ///< arm x n of a general body [m]
     Vec3 turn;     ///< J^-1 of that [1/(kg m)]
@@ -40,55 +42,80 @@ struct Push
     double size = 0.0;
 };
 
-struct Displacement
+/// Where bodies have been moved.
+struct Displacements
 {
-    Vec3 shift = Vec3::Zero();
-    Vec3 turn = Vec3::Zero();
+    GeneralHalo::Motions general;   ///< shift [m] and turn [rad] of each general body
+    std::vector<Vec3> shift;        ///< of each body of the list, members apart [m]
+
+    explicit Displacements(const ContactList& list)
+    :
+        general(GeneralHalo::width*list.general.bodies.size(), 0.0),
+        shift(list.bodies.size(), Vec3::Zero())
+    {}
+
+    Eigen::Map<Vec3> shiftOf(int owner) { return Eigen::Map<Vec3>(&general[GeneralHalo::width*owner]); }
+    Eigen::Map<Vec3> turnOf(int owner) { return Eigen::Map<Vec3>(&general[GeneralHalo::width*owner + 3]); }
 };
 
-Side makeSide(const ContactList& list, int body, const Vec3& n)
+/// Mobility of a body of the list that is moved alone, n/m where n ranks push it.
+double singleMobility(const ContactList& list, int body)
 {
-    const std::size_t general = list.general.bodies.size();
-    const int number = body < list.owned() ? list.general.memberOf[body] : -1;
-    if (number < 0)
-    {
-        const double invMass = body < list.owned() ? list.inverseMass[body] : 0.0;
-        return {general + body, invMass, Vec3::Zero(), Vec3::Zero()};
-    }
+    if (body >= list.firstWallBody()) return 0.0;
+    return list.inverseMass[body]*(body < list.owned() ? 1.0 : list.halo.parts(body));
+}
+
+/// Between ranks the copy of a general body moves, where it has one.
+Side makeSide(const ContactList& list, int body, const Vec3& n, bool isBetweenRanks)
+{
+    const int number = list.general.member(body);
+    if (number < 0) return {-1, body, singleMobility(list, body), Vec3::Zero(), Vec3::Zero()};
     const GeneralMember& member = list.general.members[number];
-    const GeneralBody& owner = list.general.bodies[member.owner];
+    const int owner = isBetweenRanks ? list.general.halo.inInterface(member.owner) : member.owner;
+    const GeneralBody& general = list.general.bodies[owner];
     const Vec3 moment = member.arm.cross(n);
-    return {static_cast<std::size_t>(member.owner), owner.invMass, moment, owner.invInertia*moment};
+    return {owner, body, general.invMass, moment, general.invInertia*moment};
+}
+
+Push makePush(const ContactList& list, std::size_t slot, double target)
+{
+    const ContactBlock& block = list.blocks[slot/blockLanes];
+    const int lane = slot % blockLanes;
+    const Vec3 n = normal(list, slot);
+    const bool isBetween = isBetweenRanks(list, slot);
+    return {makeSide(list, block.a[lane], n, isBetween), makeSide(list, block.b[lane], n, isBetween), n, target - list.gap[slot]};
 }
 
 /// The arms are those of the step's start: what a step turns changes little in them, and the next pass sees the true gaps.
-std::vector<Push> collectPushes(const ContactList& list, double deepest, double target)
+std::vector<Push> collectPushes(const ContactList& list, double deepest, double target, bool areBetweenRanks)
 {
     std::vector<Push> pushes;
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
-        if (!list.isUsed(slot) || list.gap[slot] > 2.0*deepest) continue;
-        const ContactBlock& block = list.blocks[slot/blockLanes];
-        const int lane = slot % blockLanes;
-        const Vec3 n = normal(list, slot);
-        pushes.push_back({makeSide(list, block.a[lane], n), makeSide(list, block.b[lane], n), n, target - list.gap[slot]});
+        if (!list.isUsed(slot) || list.gap[slot] > 2.0*deepest || isBetweenRanks(list, slot) != areBetweenRanks) continue;
+        pushes.push_back(makePush(list, slot, target));
     }
     return pushes;
 }
 
-double along(const Side& side, const Vec3& n, const std::vector<Displacement>& moved)
+double along(const Side& side, const Vec3& n, Displacements& moved)
 {
-    return n.dot(moved[side.body].shift) + side.moment.dot(moved[side.body].turn);
+    if (side.owner < 0) return n.dot(moved.shift[side.body]);
+    return n.dot(moved.shiftOf(side.owner)) + side.moment.dot(moved.turnOf(side.owner));
 }
 
-void move(const Side& side, const Vec3& n, double push, std::vector<Displacement>& moved)
+void move(const Side& side, const Vec3& n, double push, Displacements& moved)
 {
-    moved[side.body].shift += side.invMass*push*n;
-    moved[side.body].turn += push*side.turn;
+    if (side.owner < 0) moved.shift[side.body] += side.invMass*push*n;
+    else
+    {
+        moved.shiftOf(side.owner) += side.invMass*push*n;
+        moved.turnOf(side.owner) += push*side.turn;
+    }
 }
 
 /// Largest change of a push in one sweep [m].
-double sweepPushes(std::vector<Push>& pushes, std::vector<Displacement>& moved)
+double sweepPushes(std::vector<Push>& pushes, Displacements& moved)
 {
     double largest = 0.0;
     for (Push& push : pushes)
@@ -104,24 +131,43 @@ double sweepPushes(std::vector<Push>& pushes, std::vector<Displacement>& moved)
     return largest;
 }
 
+/// One sweep over pushes between two ranks. Returns the largest change [m].
+double sweepInterface(const ContactList& list, std::vector<Push>& pushes, Displacements& moved)
+{
+    list.halo.give(moved.shift);
+    list.general.halo.give(moved.general);
+    const std::vector<Vec3> given(moved.shift.begin() + list.owned(), moved.shift.begin() + list.firstWallBody());
+    const GeneralHalo::Motions generalGiven = moved.general;
+    const double largest = sweepPushes(pushes, moved);
+    list.halo.takeChanges(moved.shift, given);
+    list.general.halo.take(moved.general, generalGiven);
+    return largest;
+}
+
+void displaceAll(ContactList& list, Grains& grains, const PeriodicBox& box, Displacements& moved)
+{
+    for (std::size_t k = 0; k < list.general.own(); ++k) displace(grains, k, moved.shiftOf(static_cast<int>(k)), moved.turnOf(static_cast<int>(k)), box);
+    for (int body = 0; body < list.owned(); ++body) list.position[body] += moved.shift[body];
+    putMembers(list, grains, box);
+    list.halo.give(list.position);
+}
+
 } // namespace
 
 int correctGeneralOverlaps(ContactList& list, Grains& grains, const Scene& scene, double deepest, double tolerance, double deadBand)
 {
-    const std::size_t general = list.general.bodies.size();
-    std::vector<Displacement> moved(general + list.bodies.size());
-    std::vector<Push> pushes = collectPushes(list, deepest, -0.5*deadBand);
+    Displacements moved(list);
+    std::vector<Push> inner = collectPushes(list, deepest, -0.5*deadBand, false), between = collectPushes(list, deepest, -0.5*deadBand, true);
     int sweeps = 0;
     double change = 0.0;
     do
     {
-        change = sweepPushes(pushes, moved);
+        change = sweepPushes(inner, moved);
+        if (list.halo.isParallel()) change = list.halo.max(std::max(change, sweepInterface(list, between, moved)));
     }
     while (++sweeps < maxCorrectionSweeps && change > 0.1*tolerance);
 
-    for (std::size_t k = 0; k < general; ++k) displace(grains, k, moved[k].shift, moved[k].turn, scene.box);
-    for (int body = 0; body < list.owned(); ++body) list.position[body] += moved[general + body].shift;
-    putMembers(list, grains, scene.box);
+    displaceAll(list, grains, scene.box, moved);
     updateGeometry(list, scene);
     return sweeps;
 }

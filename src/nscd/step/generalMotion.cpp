@@ -81,26 +81,43 @@ void setMotion(Body& body, const Vec3& v, const Vec3& omega, const Vec3& arm, do
     }
 }
 
+/// Ghosts' members stand off as their owners' do.
+void giveArms(ContactList& list)
+{
+    if (!list.halo.isParallel()) return;
+    std::vector<Vec3> arm(list.halo.bodies(), Vec3::Zero());
+    for (std::size_t k = 0; k < list.general.ownMembers; ++k) arm[list.general.members[k].body] = list.general.members[k].arm;
+    list.halo.give(arm);
+    for (std::size_t k = list.general.ownMembers; k < list.general.members.size(); ++k)
+    {
+        GeneralMember& member = list.general.members[k];
+        member.arm = arm[member.body];
+    }
+}
+
 } // namespace
 
 void checkGeneralBodies
 (
-    const Grains& grains, const PeriodicBox& box, const Exchange& exchange, const ContactSettings& settings, const Materials& materials
+    const Grains& grains, const PeriodicBox& box, const ContactSettings& settings, const Materials& materials
 )
 {
     checkClumps(grains, box);
     if (grains.clumps.empty()) return;
-    if (exchange.isParallel()) throw invalidValue("number of ranks", "more than one", "one where there are clumps");
     if (settings.solver != "NLGS") throw invalidValue("contact solver", settings.solver, "NLGS where there are clumps");
-    for (const ContactLawRow* law : lawsInUse(materials)) throw invalidValue(law->words, "set", "none where there are clumps");
+    for (const ContactLawRow* law : lawsInUse(materials))
+    {
+        if (law->isSwept) throw invalidValue(law->words, "set", "none where there are clumps");
+    }
 }
 
 void setFreeGeneral(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT)
 {
     const Clumps& clumps = grains.clumps;
     std::vector<OuterForces> outer(clumps.size());
-    for (GeneralMember& member : list.general.members)
+    for (std::size_t k = 0; k < list.general.ownMembers; ++k)
     {
+        GeneralMember& member = list.general.members[k];
         outer[member.owner].add(forces, list.grainOf[member.body]);
         member.arm = clumps.orientation[member.owner]*member.center;
     }
@@ -110,6 +127,8 @@ void setFreeGeneral(ContactList& list, const Grains& grains, const ExternalForce
         flatten(grains.shape, outer[c].force, outer[c].torque);
         setFreeBody(list.general.bodies[c], grains, c, outer[c], deltaT);
     }
+    list.general.giveBodies();
+    giveArms(list);
     // No kernel moves members; whoever compares the masses of bodies finds those of clumps.
     for (const GeneralMember& member : list.general.members)
     {
@@ -141,8 +160,9 @@ void mirrorFreeGeneral(const ContactList& list, std::vector<Body>& bodies)
 void putMembers(ContactList& list, Grains& grains, const PeriodicBox& box)
 {
     const Clumps& clumps = grains.clumps;
-    for (const GeneralMember& member : list.general.members)
+    for (std::size_t k = 0; k < list.general.ownMembers; ++k)
     {
+        const GeneralMember& member = list.general.members[k];
         const int grain = list.grainOf[member.body];
         const Vec3 target = clumps.position[member.owner] + clumps.orientation[member.owner]*member.center;
         Vec3& position = list.position[member.body];
@@ -154,7 +174,7 @@ void putMembers(ContactList& list, Grains& grains, const PeriodicBox& box)
 
 void moveGeneral(ContactList& list, Grains& grains, const PeriodicBox& box, double deltaT)
 {
-    for (std::size_t c = 0; c < list.general.bodies.size(); ++c)
+    for (std::size_t c = 0; c < list.general.own(); ++c)
     {
         displace(grains, c, deltaT*list.general.bodies[c].v, deltaT*list.general.bodies[c].omega, box);
     }

@@ -6,7 +6,6 @@
 
 #include "nscd/contacts/contactList.hpp"
 #include "nscd/scene/contactSettings.hpp"
-#include "nscd/scene/exchange.hpp"
 #include "nscd/scene/externalForces.hpp"
 
 namespace nscd
@@ -15,7 +14,7 @@ namespace nscd
 /// Errors: std::invalid_argument for clumps that cannot be (checkClumps), or beside which something stands that does not work with them
 void checkGeneralBodies
 (
-    const Grains& grains, const PeriodicBox& box, const Exchange& exchange, const ContactSettings& settings, const Materials& materials
+    const Grains& grains, const PeriodicBox& box, const ContactSettings& settings, const Materials& materials
 );
 
 /// Free motion of clumps: v + dt f/m, and the spin that L + dt t makes of itself in the step (midpointSpin: Henry 2025, eq. 2.7). Forces

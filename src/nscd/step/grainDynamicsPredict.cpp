@@ -66,8 +66,9 @@ Prediction GrainDynamics::Implementation::predicted(SolveReport solve)
     prediction.solve = std::move(solve);
     prediction.velocity.assign(grains.size(), Vec3::Zero());
     for (int body = 0; body < list.owned(); ++body) prediction.velocity[list.grainOf[body]] = Vec3(list.bodies[body].v);
-    for (const GeneralMember& member : list.general.members)
+    for (std::size_t k = 0; k < list.general.ownMembers; ++k)
     {
+        const GeneralMember& member = list.general.members[k];
         prediction.velocity[list.grainOf[member.body]] = list.general.bodies[member.owner].v;
     }
     ContactForces onGrains = forces;

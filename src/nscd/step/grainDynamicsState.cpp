@@ -78,7 +78,7 @@ GrainDynamics::GrainDynamics
     self_->solve = solver.solve;
     self_->kernels = chooseKernels(settings.vectorPath.c_str());
     refuseBesideLaws(settings, self_->materials);
-    checkGeneralBodies(self_->grains, self_->box, *self_->exchange, settings, self_->materials);
+    checkGeneralBodies(self_->grains, self_->box, settings, self_->materials);
     // Whatever acts on spins.
     self_->isFrictional = actsOnSpins(self_->materials);
     if (!self_->isFrictional) self_->kernels = normalOnly(self_->kernels);
@@ -94,7 +94,7 @@ const Grains& GrainDynamics::grains() const { return self_->grains; }
 void GrainDynamics::setGrains(Grains grains)
 {
     checkGrains(grains, self_->materials, self_->walls);
-    checkGeneralBodies(grains, self_->box, *self_->exchange, self_->settings, self_->materials);
+    checkGeneralBodies(grains, self_->box, self_->settings, self_->materials);
     double lastDeltaT;
     const std::vector<StoredImpulse> impulses = checkpoint(lastDeltaT);
     self_->grains = std::move(grains);

@@ -137,12 +137,7 @@ double sweepInterface(const ContactList& list, std::vector<Push>& pushes, Shifts
     const std::vector<Vec3> given(shift.begin() + list.owned(), shift.begin() + list.firstWallBody());
     std::fill(shifts.lastMoved.begin(), shifts.lastMoved.end(), shifts.sweep);
     const double largest = sweepPushes(pushes, shifts, shifts.sweep);
-    for (std::size_t k = 0; k < given.size(); ++k)
-    {
-        Vec3& x = shift[list.owned() + k];
-        x = (x - given[k])/list.halo.parts(list.owned() + static_cast<int>(k));
-    }
-    list.halo.take(shift);
+    list.halo.takeChanges(shift, given);
     return largest;
 }
 

@@ -4,6 +4,8 @@
 // Ways given to ghosts, and the times at which these have to stop given back.
 #include "nscd/step/stopsBetweenRanks.hpp"
 
+#include "nscd/contacts/generalCandidates.hpp"
+
 #include <algorithm>
 
 namespace nscd
@@ -48,7 +50,7 @@ public:
         const ContactList& list = ways.list;
         for (std::size_t slot = list.interfaceBlock*blockLanes; slot < list.slots(); ++slot)
         {
-            if (!list.isUsed(slot)) continue;
+            if (!list.isUsed(slot) || !isBetweenRanks(list, slot)) continue;
             const int a = list.blocks[slot/blockLanes].a[slot % blockLanes], b = list.blocks[slot/blockLanes].b[slot % blockLanes];
             Vec3 x = list.position[a] - list.position[b];
             for (int axis = 0; axis < 3; ++axis) x[axis] -= list.image[slot][axis]*ways.box.length[axis];
@@ -79,7 +81,7 @@ private:
     void stopBehind(int body, int stopped, const Vec3& x)
     {
         const double from = known_.stop[stopped][0], to = std::min(1.0, known_.stop[body][0]);
-        if (!(from < to) || ways_.list.inverseMass[body] == 0.0) return;
+        if (!(from < to) || !fliesAlone(ways_.list, body)) return;
         const int wall = static_cast<int>(known_.stop[stopped][1]);
         const StepFrame& frame = ways_.frames[wall];
         const Vec3 start = ways_.start(stopped), way = frame.seen(start + x, known_.way[body]);

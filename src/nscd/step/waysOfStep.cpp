@@ -25,7 +25,7 @@ double timeOfTouch(const Vec3& start, const Vec3& way, double from, double to, c
 
 bool fliesAlone(const ContactList& list, int body)
 {
-    return list.inverseMass[body] != 0.0 && (list.general.empty() || list.general.memberOf[body] < 0);
+    return list.inverseMass[body] != 0.0 && list.general.member(body) < 0;
 }
 
 } // namespace nscd

@@ -172,6 +172,8 @@ TEST(ClumpsInRuns, leaveThroughExitsAsWholes)
         ASSERT_TRUE(succeeds(c.run()));
         EXPECT_EQ(c.reported("0", "exited").back(), 13) << fluid;
         EXPECT_EQ(c.reported("0", "grains").back(), 6) << fluid;
+        EXPECT_EQ(c.reported("0", "clumps").front(), 6) << fluid;
+        EXPECT_EQ(c.reported("0", "clumps").back(), 2) << fluid;
         // From there on as well.
         c.writeControl("endTime 0.04;");
         ASSERT_TRUE(succeeds(c.run()));
@@ -195,11 +197,3 @@ TEST(BadStart, clumpsStandBesideNoOtherLawsAndAreNoDiscsInAFluid)
     EXPECT_TRUE(refused(head + alone, {"fluid", "around clumps of discs"}, flat));
 }
 
-TEST(Ranks, doNotKnowClumps)
-{
-    const ProgramCase c(Files{{"constant/grainProperties", head + lattice(middle, alongX)}});
-    ASSERT_TRUE(succeeds(c.decompose(labelVector(1, 1, 2))));
-    const ProgramRun run = c.runOn(2);
-    EXPECT_NE(run.status, 0);
-    EXPECT_TRUE(holds(run.log, {"grains.clump", "is for runs on one rank"}));
-}

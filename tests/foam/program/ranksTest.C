@@ -4,6 +4,7 @@
 // Tests of nscdDEMFoam on 2 to 4 ranks: the same grains as on one, restarts on the same and on other numbers, and what is refused.
 #include "caseTools.H"
 #include "programCase.H"
+#include "rankRuns.H"
 
 #include "IFstream.H"
 #include "OSspecific.H"
@@ -33,53 +34,6 @@ const std::string lattice = "grains { type lattice; box (0 0 0) (0.1 0.1 0.1); c
 const std::string heap = glass + lattice;
 const std::string wetHeap = wetGlass + lattice;
 
-/// Largest difference of a column in the first rows.
-double difference(const ProgramCase& a, const ProgramCase& b, const std::string& column, std::size_t rows)
-{
-    const std::vector<double> x = a.reported("0", column), y = b.reported("0", column);
-    EXPECT_GE(std::min(x.size(), y.size()), rows) << column;
-    double most = 0;
-    for (std::size_t k = 0; k < std::min({x.size(), y.size(), rows}); ++k) most = std::max(most, std::abs(x[k] - y[k]));
-    return most;
-}
-
-/// The same run as on one rank: grains in every step to the last; where they are and what they press in the `smooth` first steps,
-/// while solves that end at the same tolerance stay alike; the heap they make after.
-void expectSameMotion(const ProgramCase& alone, const ProgramCase& together, std::size_t smooth)
-{
-    const std::size_t all = alone.reported("0", "grains").size();
-    EXPECT_EQ(difference(alone, together, "grains", all), 0);
-    EXPECT_EQ(difference(alone, together, "exited", all), 0);
-    EXPECT_LT(difference(alone, together, "grainVolume", all), 1e-12*largest(alone.reported("0", "grainVolume")));
-    for (const char* axis : {"X", "Y", "Z"})
-    {
-        const std::string center = std::string("massCenter") + axis, force = std::string("wallForce") + axis;
-        EXPECT_LT(difference(alone, together, center, smooth), 1e-4*diameter) << axis;
-        EXPECT_LT(difference(alone, together, force, smooth), 0.01*largest(alone.reported("0", "wallForceZ")) + 1e-9) << axis;
-        EXPECT_LT(difference(alone, together, center, all), 1e-2*diameter) << axis;
-    }
-    EXPECT_LT(difference(alone, together, "kineticEnergy", all), 0.01*largest(alone.reported("0", "kineticEnergy")));
-    const double contacts = alone.reported("0", "contacts").back();
-    EXPECT_NEAR(together.reported("0", "contacts").back(), contacts, 0.1*contacts);
-    EXPECT_LT(largest(together.reported("0", "overlapMax")), 1e-3);
-}
-
-/// Files of a written time of two cases that differ, or that are missing.
-std::vector<std::string> filesThatDiffer(const ProgramCase& a, const ProgramCase& b, label ranks, const std::string& time)
-{
-    std::vector<std::string> different;
-    for (label rank = 0; rank < ranks; ++rank)
-    {
-        for (const char* file : {"grains/position", "grains/U", "grains/omega", "grains/origId", "contacts/impulse", "contacts/idB"})
-        {
-            const std::string path = "processor" + std::to_string(rank) + "/" + time + "/lagrangian/" + file;
-            const std::string contents = a.contents(path);
-            if (contents.empty() || contents != b.contents(path)) different.push_back(path);
-        }
-    }
-    return different;
-}
-
 /// Contacts of grains with walls in one folder's written time: ids of grain and wall region.
 std::set<std::pair<label, label>> wallContacts(const ProgramCase& c, const std::string& time)
 {
@@ -99,17 +53,6 @@ std::set<std::pair<label, label>> wallContacts(const ProgramCase& c, const std::
     return contacts;
 }
 
-/// The values of a column over runs that continue one another.
-std::vector<double> joined(const ProgramCase& c, const std::vector<std::string>& startTimes, const std::string& column)
-{
-    std::vector<double> values;
-    for (const std::string& start : startTimes)
-    {
-        for (double value : c.reported(start, column)) values.push_back(value);
-    }
-    return values;
-}
-
 } // namespace
 
 TEST(Ranks, moveTheGrainsOfABoxAsOneRankDoes)
@@ -125,7 +68,7 @@ TEST(Ranks, moveTheGrainsOfABoxAsOneRankDoes)
         const ProgramCase together(dryFiles(heap + closed), control);
         EXPECT_TRUE(succeeds(together.decompose(parts)));
         EXPECT_TRUE(succeeds(together.runOn(ranks)));
-        expectSameMotion(alone, together, 8);
+        expectSameMotion(alone, together, diameter, 8);
         if (ranks != 3) continue;
 
         const ProgramCase again(dryFiles(heap + closed), control);
@@ -179,7 +122,7 @@ TEST(Ranks, shareAPeriodicBox)
     EXPECT_TRUE(succeeds(alone.run()));
     EXPECT_TRUE(succeeds(together.decompose(labelVector(2, 2, 1))));
     EXPECT_TRUE(succeeds(together.runOn(4)));
-    expectSameMotion(alone, together, 8);
+    expectSameMotion(alone, together, diameter, 8);
 }
 
 namespace
@@ -256,7 +199,7 @@ TEST(Ranks, mayOutnumberTheGrains)
     EXPECT_TRUE(succeeds(alone.run()));
     EXPECT_TRUE(succeeds(together.decompose(labelVector(4, 1, 1))));
     EXPECT_TRUE(succeeds(together.runOn(4)));
-    expectSameMotion(alone, together, 10);
+    expectSameMotion(alone, together, diameter, 10);
 }
 
 TEST(Ranks, goOnFromAWrittenTimeAsIfNeverStopped)
@@ -319,7 +262,7 @@ TEST(Ranks, moveGrainsInAFluidAsOneRankDoes)
             const ProgramCase together(files, control);
             EXPECT_TRUE(succeeds(together.decompose(parts)));
             EXPECT_TRUE(succeeds(together.runOn(ranks)));
-            expectSameMotion(alone, together, 8);
+            expectSameMotion(alone, together, diameter, 8);
             EXPECT_LT(largest(together.reported("0", "momentumError")), 1e-9);
         }
     }
@@ -346,7 +289,7 @@ void expectSameMotionOnRanks(const std::string& heap, const Files& more)
         const ProgramCase together(files, control);
         EXPECT_TRUE(succeeds(together.decompose(parts)));
         EXPECT_TRUE(succeeds(together.runOn(ranks)));
-        expectSameMotion(alone, together, 8);
+        expectSameMotion(alone, together, diameter, 8);
         EXPECT_LT(largest(together.reported("0", "momentumError")), 1e-9);
     }
 }
@@ -416,7 +359,7 @@ TEST(Ranks, changeOwnersWhereLoadsAreUneven)
     const ProgramRun run = together.runOn(2);
     EXPECT_TRUE(succeeds(run));
     EXPECT_TRUE(holds(run.log, {"grains shared out anew"}));
-    expectSameMotion(alone, together, 12);
+    expectSameMotion(alone, together, diameter, 12);
 }
 
 TEST(Ranks, refuseWhatTheyCannotRun)

@@ -205,23 +205,6 @@ TEST_F(Placements, makeParcelsOfSourcesThatAreCoarse)
     EXPECT_THROW(read(sources, around()), input::InputError) << "of a program without parcels";
 }
 
-TEST_F(Placements, refuseClumpsWhereThereAreNone)
-{
-    input::Surroundings without = around();
-    without.hasClumps = false;
-    const std::string source = "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); diameter 0.5; material glass; ";
-    try
-    {
-        read(source + "clump { members ((0 0 0)); diameter 0.2; } }", without);
-        ADD_FAILURE() << "took a clump";
-    }
-    catch (const input::InputError& error)
-    {
-        EXPECT_NE(std::string(error.what()).find("scene, line 2: keyword grains.clump is for runs on one rank"), std::string::npos) << error.what();
-    }
-    EXPECT_NO_THROW(read(source + "}", without));
-}
-
 TEST_F(Placements, clumpsOfMembersThatAreLightYearsApartAreAMistake)
 {
     const std::string source = "grains { type lattice; box (0 0 0) (1 1 1); count (1 1 1); diameter 0.5; material glass; clump { file pebble.txt; } }";

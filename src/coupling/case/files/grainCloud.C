@@ -58,8 +58,10 @@ IndexOfId indexById(const nscd::Grains& grains)
     return index;
 }
 
-void writeGrains(const polyMesh& mesh, const nscd::Grains& grains, const GrainExtras& extras, const labelUList& cells)
+void writeGrains(const polyMesh& mesh, const GrainState& state, const labelUList& cells)
 {
+    const nscd::Grains& grains = state.grains;
+    const GrainExtras& extras = state.extras;
     const CloudWriter cloud(mesh, "grains", vectorsOf(grains.position), cells, converted<label>(grains.id, toLabel));
     cloud.write("position", vectorsOf(grains.position));
     cloud.write("d", converted<scalar>(grains.radius, [](double radius) { return 2*radius; }));
@@ -73,7 +75,7 @@ void writeGrains(const polyMesh& mesh, const nscd::Grains& grains, const GrainEx
     cloud.write("isFixed", converted<label>(grains.isFixed, [](std::uint8_t fixed) { return label(fixed); }));
     for (const auto& extra : extras.scalars) cloud.write(extra.first, converted<scalar>(extra.second, [](scalar x) { return x; }));
     for (const auto& extra : extras.vectors) cloud.write(extra.first, vectorsOf(extra.second));
-    writeMembership(cloud, grains);
+    writeMembership(cloud, state);
 }
 
 void writeContacts
@@ -273,6 +275,13 @@ std::vector<nscd::StoredImpulse> readContacts
     });
 }
 
+GrainState withClumpsApart(GrainState state)
+{
+    state.clumpParts = clumpParts(state.grains);
+    state.grains.clumps = nscd::Clumps();
+    return state;
+}
+
 } // namespace
 
 
@@ -281,8 +290,9 @@ void writeGrainState
     const polyMesh& mesh, const GrainState& state, const nscd::Materials& materials, const labelUList& cells
 )
 {
-    writeGrains(mesh, state.grains, state.extras, cells);
-    writeClumps(mesh, state.grains, cells);
+    if (!state.grains.clumps.empty()) return writeGrainState(mesh, withClumpsApart(state), materials, cells);
+    writeGrains(mesh, state, cells);
+    writeClumps(mesh, state, cells);
     writeContacts(mesh, state.contacts, state.grains, materials, cells);
     RunState run;
     run.nGrains = returnReduce(label(state.grains.size()), sumOp<label>());
@@ -331,10 +341,11 @@ GrainState readGrainState
     }
     GrainState state;
     state.grains = readGrains(mesh, run, materials, shape);
-    readClumps(mesh, materials, state.grains);
+    readClumpParts(mesh, state);
     state.extras = readExtras(mesh, expected);
     state.contacts = readContacts(mesh, run, state.grains, expected.nWallRegions);
     state.numbers = run.numbers;
+    if (areClumpsApart(state) && !Pstream::parRun()) joinClumpParts(state, mesh, materials);
     return state;
 }
 

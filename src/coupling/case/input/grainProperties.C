@@ -263,7 +263,6 @@ input::Surroundings foamSurroundings(const fileName& casePath)
         return inFolder(path, path.find('/') == std::string::npos ? constant/"triSurface" : casePath);
     };
     around.nRanks = Pstream::nProcs();
-    around.hasClumps = !Pstream::parRun();
     around.sleepsByDefault = false;
     around.hasCoarseGrains = true;
     around.sizeModels = foamSizeModels();

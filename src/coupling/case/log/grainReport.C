@@ -88,38 +88,46 @@ const Column parcelColumns[] =
     {"realEntered", "1", [](const StepRow& r) { return double(r.realEntered); }}
 };
 
-template<class Part>
-void writeLine(std::ostream& os, bool hasHeat, bool hasParcels, const Part& part)
-{
-    const char* separator = "";
-    const auto write = [&](const Column& column)
-    {
-        os << separator;
-        part(column);
-        separator = ",";
-    };
-    for (const Column& column : columns) write(column);
-    if (hasHeat) for (const Column& column : heatColumns) write(column);
-    if (hasParcels) for (const Column& column : parcelColumns) write(column);
-    os << '\n' << std::flush;
-}
+const Column clumpColumns[] = {{"clumps", "1", [](const StepRow& r) { return double(r.clumps); }}};
 
 } // namespace
 
 
-GrainReport::GrainReport(const Time& time, bool hasHeat, bool hasParcels)
+template<class Part>
+void GrainReport::writeLine(const Part& part)
+{
+    const char* separator = "";
+    const auto write = [&](const auto& all)
+    {
+        for (const Column& column : all)
+        {
+            file_ << separator;
+            part(column);
+            separator = ",";
+        }
+    };
+    write(columns);
+    if (hasHeat_) write(heatColumns);
+    if (hasParcels_) write(parcelColumns);
+    if (hasClumps_) write(clumpColumns);
+    file_ << '\n' << std::flush;
+}
+
+
+GrainReport::GrainReport(const Time& time, bool hasHeat, bool hasParcels, bool hasClumps)
 :
     path_(time.globalPath()/"postProcessing"/"grains"/time.timeName(time.startTime().value())/"report.csv"),
     hasHeat_(hasHeat),
-    hasParcels_(hasParcels)
+    hasParcels_(hasParcels),
+    hasClumps_(hasClumps)
 {
     if (!Pstream::master()) return;
     mkDir(path_.path());
     file_.open(path_);
     file_.precision(std::numeric_limits<double>::max_digits10);
     file_ << "# units: ";
-    writeLine(file_, hasHeat_, hasParcels_, [&](const Column& column) { file_ << column.unit; });
-    writeLine(file_, hasHeat_, hasParcels_, [&](const Column& column) { file_ << column.name; });
+    writeLine([&](const Column& column) { file_ << column.unit; });
+    writeLine([&](const Column& column) { file_ << column.name; });
     check();
 }
 
@@ -127,7 +135,7 @@ GrainReport::GrainReport(const Time& time, bool hasHeat, bool hasParcels)
 void GrainReport::write(const StepRow& row)
 {
     if (!Pstream::master()) return;
-    writeLine(file_, hasHeat_, hasParcels_, [&](const Column& column) { file_ << column.value(row); });
+    writeLine([&](const Column& column) { file_ << column.value(row); });
     check();
 }
 

@@ -94,8 +94,8 @@ nscd::Grains makeFirstGrains
     const auto keep = [&](nscd::Grains& batch)
     {
         homes.keepOwn(batch);
-        // Clumps come in one batch with all that there is.
-        if (batch.clumps.empty()) grains.append(batch);
+        // Clumps come in one batch with all that there is, and their shapes stand on all ranks.
+        if (batch.clumps.shapes.empty()) grains.append(batch);
         else grains = batch;
     };
     input::Surroundings around = surroundingsIn(mesh);

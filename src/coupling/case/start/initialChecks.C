@@ -231,10 +231,14 @@ void HomeRanks::keepOwn(nscd::Grains& grains)
     }
     Pstream::listCombineGather(home, minEqOp<label>());
     Pstream::listCombineScatter(home);
+    const std::vector<int> clumpOf = nscd::clumpOfGrains(grains);
     std::vector<std::size_t> others;
     forAll(home, i)
     {
-        if (home[i] != Pstream::myProcNo()) others.push_back(std::size_t(i));
+        // Clumps stay whole.
+        const bool isMember = !clumpOf.empty() && clumpOf[std::size_t(i)] >= 0;
+        const label at = isMember ? home[grains.clumps.firstMember[clumpOf[std::size_t(i)]]] : home[i];
+        if (at != Pstream::myProcNo()) others.push_back(std::size_t(i));
         if (home[i] != labelMax) continue;
         if (++outside_ > 5) continue;
         list_ += messageText(outside_ > 1 ? ", " : "", "grain ", label(grains.id[i]), " at ", toFoam(grains.position[i]));

@@ -6,25 +6,13 @@
 #pragma once
 
 #include "nscd/base/vec3.hpp"
+#include "nscd/contacts/general/generalBody.hpp"
+#include "nscd/contacts/general/generalHalo.hpp"
 
 #include <vector>
 
 namespace nscd
 {
-
-/// A rigid body that is touched anywhere, not at the end of a radius from its center as a grain of one sphere is: the second kind of body. At the
-/// orientation that the step started with.
-struct GeneralBody
-{
-    Vec3 v;                        ///< [m/s]
-    Vec3 omega;                    ///< world frame [rad/s]
-    double invMass;                ///< [1/kg]
-    Eigen::Matrix3d inertia;       ///< world frame [kg m2]
-    Eigen::Matrix3d invInertia;    ///< [1/(kg m2)]
-    Vec3 freeMomentum;             ///< angular momentum without contacts [kg m2/s]
-    Vec3 freeV;                    ///< without contacts [m/s]
-    Vec3 freeOmega;                ///< [rad/s]
-};
 
 /// A sphere or disc of the list that is part of a general body.
 struct GeneralMember
@@ -50,18 +38,39 @@ struct GeneralSlot
 /// The general bodies of a contact list; none in plain scenes. Contacts with a member of one fill blocks of their own, behind all others; what these hold,
 /// normals, gaps, impulses, 1/W_nn and 1/W_tt (half the trace of the tangential part), means what it does elsewhere, but lanes of a block may share
 /// bodies, and kernels never see them. Members' entries among the list's bodies follow their owners after a solve, for whoever reads velocities there.
+/// Contacts with a member that join two ranks come last; their bodies are kept one as GeneralHalo says.
 struct GeneralBodies
 {
-    std::vector<GeneralBody> bodies;
-    std::vector<GeneralMember> members;
-    std::vector<int> memberOf;         ///< of each own body, -1: a single grain
+    bool isThere = false;              ///< whether any rank has a general body: all take part then in what keeps them one
+    std::vector<GeneralBody> bodies;   ///< own ones, ghosts and copies, as GeneralHalo numbers them
+    std::vector<GeneralMember> members;   ///< of own bodies, then of ghosts
+    std::size_t ownMembers = 0;
+    std::vector<int> memberOf;         ///< of each own body of the list, and of each ghost there, -1: a single grain
     std::size_t firstBlock = 0;
+    std::size_t firstInterface = 0;      ///< from this block on contacts join two ranks
     std::vector<GeneralSlot> slots;      ///< of blocks from firstBlock on
     bool isFrictionHeld = false;         ///< the friction of a block is the bound itself [N s], while solvers/heldFriction.hpp says so
+    GeneralHalo halo;
 
-    bool empty() const { return bodies.empty(); }
+    bool empty() const { return !isThere; }
+    std::size_t own() const { return halo.isParallel() ? static_cast<std::size_t>(halo.ownBodies()) : bodies.size(); }
+    /// Index into members of a body of the list, or -1.
+    int member(int body) const { return body < static_cast<int>(memberOf.size()) ? memberOf[body] : -1; }
     /// One body for all members of a general body, the first of them; others stand for themselves.
     int representative(int body) const;
+
+    /// Gives ghosts and copies the owners' free motions and mobilities.
+    void giveBodies();
+    /// Gives ghosts and copies the owners' velocities, before contacts between ranks are looked at.
+    void giveVelocities();
+    /// Moves the owners' velocities by what became of the ghosts' and copies' since they were given.
+    void takeVelocities();
+
+private:
+    GeneralHalo::Motions velocities() const;
+    void setVelocities(const GeneralHalo::Motions& velocities);
+
+    GeneralHalo::Motions given_;
 };
 
 } // namespace nscd

@@ -211,6 +211,11 @@ GeneralChange generalChange(const Body* bodies, const ContactBlock* blocks, cons
     return {change, (contact.slot.w*change).norm()};
 }
 
+void pushGeneral(Body* bodies, const ContactBlock* blocks, GeneralBodies& general, std::size_t slot, const Vec3& impulse)
+{
+    MovingContact(bodies, general, blocks[slot/blockLanes], slot/blockLanes, slot % blockLanes).apply(impulse);
+}
+
 void applyGeneralChange(Body* bodies, ContactBlock* blocks, GeneralBodies& general, std::size_t slot, const Vec3& change)
 {
     ContactBlock& block = blocks[slot/blockLanes];

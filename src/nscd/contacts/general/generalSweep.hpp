@@ -39,6 +39,9 @@ struct GeneralChange
 };
 GeneralChange generalChange(const Body* bodies, const ContactBlock* blocks, const GeneralBodies& general, std::size_t slot);
 
+/// Changes the velocities of the two bodies of a slot by an impulse on A, and its opposite on B, where they touch.
+void pushGeneral(Body* bodies, const ContactBlock* blocks, GeneralBodies& general, std::size_t slot, const Vec3& impulse);
+
 /// Changes the impulse of a slot, and the velocities of its two bodies.
 void applyGeneralChange(Body* bodies, ContactBlock* blocks, GeneralBodies& general, std::size_t slot, const Vec3& change);
 

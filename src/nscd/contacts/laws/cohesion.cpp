@@ -5,6 +5,7 @@
 #include "nscd/contacts/laws/cohesion.hpp"
 
 #include "nscd/contacts/contactList.hpp"
+#include "nscd/contacts/general/generalSweep.hpp"
 #include "nscd/contacts/wallForce.hpp"
 #include "nscd/kernels/applyImpulse.hpp"
 
@@ -20,6 +21,18 @@ namespace
 bool isThere(const ContactList& list, std::size_t slot)
 {
     return list.gap[slot] < list.radius[list.blocks[slot/blockLanes].a[slot % blockLanes]];
+}
+
+void push(ContactList& list, std::size_t slot, const Vec3& onA)
+{
+    const ContactBlock& block = list.blocks[slot/blockLanes];
+    const int lane = slot % blockLanes;
+    if (!list.general.empty() && slot >= list.general.firstBlock*blockLanes)
+    {
+        pushGeneral(list.bodies.data(), list.blocks.data(), list.general, slot, onA);
+        return;
+    }
+    applyImpulse(list.bodies[block.a[lane]], list.bodies[block.b[lane]], normal(list, slot).data(), onA.data());
 }
 
 } // namespace
@@ -50,7 +63,7 @@ void Cohesion::giveKnown(ContactList& list, double deltaT, double deadBand)
         const int lane = slot % blockLanes;
         const Vec3 n = normal(list, slot);
         for (int k = 0; k < 3; ++k) cohesive.attraction[k] = -deltaT*cohesive.force*n[k];
-        applyImpulse(list.bodies[block.a[lane]], list.bodies[block.b[lane]], n.data(), cohesive.attraction.data());
+        push(list, slot, cohesive.attraction);
         if (cohesive.isBond && gap > deadBand) block.bias[lane] = (gap - deadBand)/deltaT;
     }
 }

@@ -197,7 +197,8 @@ bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule
 int SlowSolve::solveLocally(int sweeps, const StopRule& rule)
 {
     // Between ranks there are only sweeps: each works on contacts that no other can disturb.
-    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, problem_.general ? problem_.active() : problem_.inner());
+    const std::vector<std::uint32_t> within = queue_ ? std::vector<std::uint32_t>() : problem_.withinRank();
+    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, BlockRange{within.data(), within.size()});
     const std::size_t used = std::max<std::size_t>(1, queue_->slots().size());
     const double threshold = (problem_.isFlowing() ? strategy_.queue.shareInFlow : strategy_.queue.shareOfLimit)*rule.maxLimit;
     const std::size_t visits = queue_->work(queue_->defective(threshold), threshold, strategy_.queue.mostSweeps*used);

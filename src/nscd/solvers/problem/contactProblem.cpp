@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace nscd
 {
@@ -81,66 +82,88 @@ double netImpulse(const ContactProblem& problem)
         const bool isMember = problem.general && problem.general->memberOf[k] >= 0;
         if (body.invMass > 0.0 && !isMember) sum += (Vec3(body.v) - (*problem.freeVelocity)[k]).norm()/body.invMass;
     }
-    if (problem.general)
+    for (std::size_t k = 0; problem.general && k < problem.general->own(); ++k)
     {
-        for (const GeneralBody& body : problem.general->bodies) sum += (body.v - body.freeV).norm()/body.invMass;
+        const GeneralBody& body = problem.general->bodies[k];
+        sum += (body.v - body.freeV).norm()/body.invMass;
     }
     return problem.halo.sum(sum);
 }
 
 double rms(const DefectSums& sums) { return std::sqrt(sums.sumSquares/std::max(1.0, sums.active)); }
 
-BlockRange ContactProblem::inner() const
+void ContactProblem::giveVelocities()
 {
-    const auto end = std::lower_bound(awake.begin(), awake.end(), interfaceBlock);
-    return {awake.data(), static_cast<std::size_t>(end - awake.begin())};
+    halo.giveVelocities(bodies);
+    if (general) general->giveVelocities();
 }
 
-BlockRange ContactProblem::interface() const
+void ContactProblem::takeVelocities()
 {
-    const std::size_t inside = inner().count;
-    return {awake.data() + inside, awake.size() - inside};
+    halo.takeVelocities(bodies);
+    if (general) general->takeVelocities();
 }
 
-BlockRange ContactProblem::activeGeneral() const
+BlockRange ContactProblem::activeIn(std::size_t first, std::size_t end) const
 {
-    const auto begin = std::lower_bound(awake.begin(), awake.end(), general->firstBlock);
-    return {awake.data() + (begin - awake.begin()), static_cast<std::size_t>(awake.end() - begin)};
+    const auto from = std::lower_bound(awake.begin(), awake.end(), first), to = std::lower_bound(from, awake.end(), end);
+    return {awake.data() + (from - awake.begin()), static_cast<std::size_t>(to - from)};
+}
+
+BlockRange ContactProblem::inner() const { return activeIn(0, interfaceBlock); }
+BlockRange ContactProblem::interface() const { return activeIn(interfaceBlock, all().count); }
+BlockRange ContactProblem::innerGeneral() const { return activeIn(general->firstBlock, general->firstInterface); }
+BlockRange ContactProblem::interfaceGeneral() const { return activeIn(general->firstInterface, blocks.size()); }
+
+std::vector<std::uint32_t> ContactProblem::withinRank() const
+{
+    const BlockRange single = inner();
+    std::vector<std::uint32_t> within(single.index, single.index + single.count);
+    if (!general) return within;
+    const BlockRange behind = innerGeneral();
+    within.insert(within.end(), behind.index, behind.index + behind.count);
+    return within;
 }
 
 DefectSums sweepActive(ContactProblem& problem, const SweepOn& on)
 {
+    const auto sweepThose = [&](BlockRange range) { return sweepGeneral(problem.bodies.data(), problem.blocks.data(), *problem.general, range); };
     const BlockRange insideRank = problem.inner();
     DefectSums inner = sweepBlocks(problem, insideRank, on);
-    if (problem.general) add(inner, sweepGeneral(problem.bodies.data(), problem.blocks.data(), *problem.general, problem.activeGeneral()));
+    if (problem.general) add(inner, sweepThose(problem.innerGeneral()));
     if (!problem.halo.isParallel()) return inner;
-    problem.halo.giveVelocities(problem.bodies);
-    const DefectSums between = sweepBlocks(problem, problem.interface(), behind(on, insideRank.count));
-    problem.halo.takeVelocities(problem.bodies);
+    problem.giveVelocities();
+    DefectSums between = sweepBlocks(problem, problem.interface(), behind(on, insideRank.count));
+    if (problem.general) add(between, sweepThose(problem.interfaceGeneral()));
+    problem.takeVelocities();
     return overRanks(problem.halo, inner, between);
 }
 
 void replaceImpulses(ContactProblem& problem, std::vector<double>& target)
 {
-    const BlockRange inner = problem.inner();
-    problem.kernels.replaceImpulses(problem.bodies.data(), problem.blocks.data(), inner, target.data());
-    if (problem.general)
+    double* next = target.data();
+    const auto behind = [&](BlockRange range) { return std::exchange(next, next + 3*blockLanes*range.count); };
+    const BlockRange none{nullptr, 0}, inner = problem.inner(), interface = problem.interface();
+    const BlockRange innerGeneral = problem.general ? problem.innerGeneral() : none, interfaceGeneral = problem.general ? problem.interfaceGeneral() : none;
+    double *const ofInner = behind(inner), *const ofInterface = behind(interface), *const ofGeneral = behind(innerGeneral), *const ofLast = behind(interfaceGeneral);
+    const auto replaceGeneral = [&](BlockRange range, double* values)
     {
-        double* ofGeneral = target.data() + 3*blockLanes*inner.count;
-        replaceGeneralImpulses(problem.bodies.data(), problem.blocks.data(), *problem.general, problem.activeGeneral(), ofGeneral);
-    }
+        if (problem.general) replaceGeneralImpulses(problem.bodies.data(), problem.blocks.data(), *problem.general, range, values);
+    };
+    problem.kernels.replaceImpulses(problem.bodies.data(), problem.blocks.data(), inner, ofInner);
+    replaceGeneral(innerGeneral, ofGeneral);
     if (!problem.halo.isParallel()) return;
-    double* between = target.data() + 3*blockLanes*inner.count;
-    problem.halo.giveVelocities(problem.bodies);
-    problem.kernels.replaceImpulses(problem.bodies.data(), problem.blocks.data(), problem.interface(), between);
-    problem.halo.takeVelocities(problem.bodies);
+    problem.giveVelocities();
+    problem.kernels.replaceImpulses(problem.bodies.data(), problem.blocks.data(), interface, ofInterface);
+    replaceGeneral(interfaceGeneral, ofLast);
+    problem.takeVelocities();
 }
 
 DefectSums residualOfActive(ContactProblem& problem)
 {
     const StepTimes::Timer timer(problem.times, GrainPart::judgeContacts);
     if (problem.general) return residual(problem);
-    problem.halo.giveVelocities(problem.bodies);
+    problem.giveVelocities();
     const DefectSums here = evaluateBlocks(problem, problem.active());
     return problem.halo.isParallel() ? overRanks(problem.halo, here, {0.0, 0.0, 0.0}) : here;
 }
@@ -148,7 +171,7 @@ DefectSums residualOfActive(ContactProblem& problem)
 DefectSums residual(ContactProblem& problem)
 {
     const StepTimes::Timer timer(problem.times, GrainPart::judgeContacts);
-    problem.halo.giveVelocities(problem.bodies);
+    problem.giveVelocities();
     DefectSums here = evaluateBlocks(problem, problem.all());
     if (problem.general) add(here, evaluateGeneral(problem.bodies.data(), problem.blocks, *problem.general));
     if (problem.leftOut) add(here, problem.leftOut->defects(problem));
@@ -171,7 +194,7 @@ bool wakeBlocks(ContactProblem& problem)
         if (isAwake) ++next;
         else asleep.push_back(k);
     }
-    problem.halo.giveVelocities(problem.bodies);
+    problem.giveVelocities();
     const auto isActive = [&](std::uint32_t k)
     {
         if (problem.general && k >= problem.general->firstBlock)

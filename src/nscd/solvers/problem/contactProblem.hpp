@@ -79,14 +79,24 @@ struct ContactProblem
     /// Whether only so many sweeps are spent on forces: see SolverStrategy::Forces.
     bool areForcesBounded() const { return isFlowing() || isDriven; }
 
+    /// Before contacts between ranks are looked at, and after they have been solved: see Halo.
+    void giveVelocities();
+    void takeVelocities();
+
     /// All blocks but the general ones.
     BlockRange all() const { return {nullptr, general ? general->firstBlock : blocks.size()}; }
     BlockRange active() const { return {awake.data(), awake.size()}; }
     /// The active blocks whose bodies no other rank moves meanwhile.
     BlockRange inner() const;
     BlockRange interface() const;
-    /// The active general blocks.
-    BlockRange activeGeneral() const;
+    BlockRange innerGeneral() const;
+    BlockRange interfaceGeneral() const;
+    /// The active blocks of this rank's contacts alone, general ones behind the others.
+    std::vector<std::uint32_t> withinRank() const;
+
+private:
+    /// The active blocks from one to before another.
+    BlockRange activeIn(std::size_t first, std::size_t end) const;
 };
 
 /// One pass over blocks that changes impulses and velocities in place, on this rank alone.

@@ -38,6 +38,12 @@ nscd::ContactList freeList(const Scene& scene)
     return list;
 }
 
+void start(nscd::ContactList& list)
+{
+    nscd::setGeneralLaws(list, deltaT, deadBand, nscd::unreachable);
+    nscd::startGeneralSlots(list, 1.0);
+}
+
 std::vector<std::size_t> generalSlots(const nscd::ContactList& list)
 {
     std::vector<std::size_t> slots;
@@ -62,7 +68,7 @@ TEST(GeneralSlots, operatorsTellWhatAnImpulseDoesToTheVelocityInTheContact)
 {
     const Scene scene = touchingClumps();
     nscd::ContactList list = freeList(scene);
-    nscd::prepareGeneralSlots(list, deltaT, deadBand, nscd::unreachable, 1.0);
+    start(list);
     int tested = 0;
     for (std::size_t slot : generalSlots(list))
     {
@@ -93,7 +99,7 @@ TEST(GeneralSlots, armsLeadFromTheMassCenterToTheSurfacesThatTouch)
 {
     const Scene scene = touchingClumps();
     nscd::ContactList list = freeList(scene);
-    nscd::prepareGeneralSlots(list, deltaT, deadBand, nscd::unreachable, 1.0);
+    start(list);
     const std::vector<int> clumpOf = nscd::clumpOfGrains(scene.grains);
     int arms[2] = {0, 0};
     for (std::size_t slot : generalSlots(list))
@@ -119,7 +125,7 @@ TEST(GeneralSlots, armsLeadFromTheMassCenterToTheSurfacesThatTouch)
 TEST(GeneralSlots, biasIsTheSpeedThatClosesAGapBeyondTheDeadBand)
 {
     nscd::ContactList list = freeList(touchingClumps());
-    nscd::prepareGeneralSlots(list, deltaT, deadBand, nscd::unreachable, 1.0);
+    start(list);
     int open = 0, closed = 0;
     for (std::size_t slot : generalSlots(list))
     {

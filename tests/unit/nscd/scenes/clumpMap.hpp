@@ -32,16 +32,19 @@ public:
         scene_(scene), friction_(friction), deadBand_(deadBand), deltaT_(deltaT)
     {}
 
-    ClumpMap operator()(const nscd::Grains& before, const nscd::GrainDynamics& dynamics)
+    ClumpMap operator()(const nscd::Grains& before, const nscd::GrainDynamics& dynamics) { return (*this)(before, dynamics.grains(), dynamics.contacts()); }
+
+    /// Of scenes in which grains have their places for identities.
+    ClumpMap operator()(const nscd::Grains& before, const nscd::Grains& after, const std::vector<nscd::LoadedContact>& contacts)
     {
-        const nscd::Grains& after = dynamics.grains();
         clumpOf_ = nscd::clumpOfGrains(before);
         clumpOf_.resize(before.size(), -1);
         impulses_.clear();
-        for (const nscd::LoadedContact& c : dynamics.contacts())
+        for (const nscd::LoadedContact& c : contacts)
         {
-            const bool isSwapped = c.b >= 0 && c.b < c.a;
-            impulses_[isSwapped ? std::pair(c.b, c.a) : std::pair(c.a, c.b)] = isSwapped ? Vec3(-c.impulse) : c.impulse;
+            const int a = static_cast<int>(c.idA), b = static_cast<int>(c.idB);
+            const bool isSwapped = b >= 0 && b < a;
+            impulses_[isSwapped ? std::pair(b, a) : std::pair(a, b)] = isSwapped ? Vec3(-c.impulse) : c.impulse;
         }
         result_ = ClumpMap();
         sum2_ = 0.0;

@@ -56,12 +56,6 @@ Quaternion integrated(const nscd::Clumps& start, double time, int steps)
     return Quaternion(x).normalized();
 }
 
-class TwoRanks : public nscd::Exchange
-{
-public:
-    bool isParallel() const override { return true; }
-};
-
 } // namespace
 
 TEST(ClumpMotion, freeSpinKeepsMomentumAndEnergy)
@@ -269,10 +263,5 @@ TEST(ClumpMotion, whatDoesNotWorkIsRefused)
     nscd::ExternalForces forces;
     forces.implicitDrag = {-1.0, 0.0};
     EXPECT_THROW(dynamics.advance(forces), std::invalid_argument);
-    const auto onRanks = [&]
-    {
-        nscd::GrainDynamics(scene.grains, scene.materials, scene.walls, scene.box, tight(), std::make_shared<TwoRanks>());
-    };
-    EXPECT_THROW(onRanks(), std::invalid_argument);
     EXPECT_THROW(dynamics.drive(0, Vec3::Zero(), Vec3::Zero()), std::invalid_argument);
 }

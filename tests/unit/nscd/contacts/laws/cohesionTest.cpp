@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Cohesion: what hangs, what comes off at which force, what slides, and that nothing is gained by it.
+#include "unit/nscd/scenes/clumpScenes.hpp"
 #include "unit/nscd/scenes/lawScenes.hpp"
 
 #include <gtest/gtest.h>
@@ -176,6 +177,63 @@ TEST(Cohesion, theQueueSolvesItToo)
     auto dynamics = scene.build(settings);
     for (int k = 0; k < 20; ++k) EXPECT_TRUE(step(dynamics, scene.g, deltaT).solve.converged);
     EXPECT_NEAR(dynamics.contactForce()[0][2], -4.0*weight, 1e-8*weight);
+}
+
+/// Below a grain that is held, a dumbbell that stands on end and one that lies, which is pulled at one of its ends.
+TEST(Cohesion, clumpsHangFromOneMember)
+{
+    for (double share : {0.999, 1.001})
+    {
+        Scene scene(3, 0.0, 0.0);
+        scene.addGrain(Vec3::Zero(), radius);
+        scene.grains.isFixed[0] = 1;
+        addClump(scene, addShape(scene, dumbbell()), Vec3(0, 0, -3.0*radius), Quaternion(std::sqrt(0.5), 0, std::sqrt(0.5), 0));
+        const double weight = scene.grains.clumps.shapeOf(0).mass*gravity;
+        setAll(scene, cohesivePair(0.3, 0.0, share*weight));
+        auto dynamics = scene.build();
+        for (int k = 0; k < 100; ++k) ASSERT_TRUE(step(dynamics, scene.g, deltaT).solve.converged);
+        const double height = dynamics.grains().clumps.position[0][2] + 3.0*radius;
+        EXPECT_TRUE(share > 1.0 ? std::abs(height) < 1e-10*radius : height < -1e-3*radius) << share << ": " << height;
+        const double carried = share > 1.0 ? weight : 0.0;
+        EXPECT_NEAR(dynamics.contactForce()[0][2], -carried, 1e-9*weight);
+    }
+}
+
+TEST(Cohesion, anAttractionAcrossAGapTurnsAClump)
+{
+    Scene scene(3, 0.0, 0.0);
+    scene.addGrain(Vec3(radius, 0, 2.1*radius), radius);
+    scene.grains.isFixed[0] = 1;
+    addClump(scene, addShape(scene, dumbbell()), Vec3::Zero());
+    const double mass = scene.grains.clumps.shapeOf(0).mass, force = 0.5*mass*gravity;
+    setAll(scene, cohesivePair(0.3, 0.0, force, 0.2*radius));
+    auto dynamics = scene.build();
+    step(dynamics, Vec3::Zero(), deltaT);
+    const nscd::Clumps& clumps = dynamics.grains().clumps;
+    EXPECT_LT((clumps.velocity[0] - Vec3(0, 0, deltaT*force/mass)).norm(), 1e-12*gravity*deltaT);
+    EXPECT_LT((clumps.angularMomentum[0] - Vec3(0, -radius*deltaT*force, 0)).norm(), 1e-12*radius*deltaT*force);
+    EXPECT_NEAR(dynamics.contactForce()[0][2], -force, 1e-12*force);
+}
+
+/// A clump of one ball slides, bounces and sticks as a sphere does.
+TEST(Cohesion, isThatOfASphereForAClumpOfOneBall)
+{
+    Scene sphere(3, 0.0, 0.0), clump(3, 0.0, 0.0);
+    const Vec3 start(0, 0, 1.2*radius), velocity(0.5, 0, 0);
+    for (Scene* scene : {&sphere, &clump}) scene->addPlane(Vec3::Zero(), Vec3::UnitZ());
+    sphere.addGrain(start, radius);
+    sphere.grains.velocity[0] = velocity;
+    addClump(clump, addShape(clump, {{Vec3::Zero(), radius}}), start, Quaternion::Identity(), velocity);
+    for (Scene* scene : {&sphere, &clump}) setAll(*scene, cohesivePair(0.3, 0.4, 2.0*weightOfOne()));
+    auto one = sphere.build(), other = clump.build();
+    for (int k = 0; k < 100; ++k)
+    {
+        step(one, sphere.g, deltaT);
+        step(other, clump.g, deltaT);
+        ASSERT_LT((one.grains().velocity[0] - other.grains().velocity[0]).norm(), 1e-11) << k;
+        ASSERT_LT((one.grains().omega[0] - other.grains().omega[0]).norm(), 1e-9) << k;
+    }
+    EXPECT_LT(other.grains().velocity[0][0], 0.4);
 }
 
 TEST(Cohesion, refusesNegativeAndEndless)
