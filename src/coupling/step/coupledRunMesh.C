@@ -18,6 +18,7 @@ void CoupledRun::moveMesh()
 {
     if (!movesMesh()) return;
     const auto timer = timing_.time(StepPart::depositGrains);
+    if (hasFluid()) immersion_->fluid->beforeMeshMoves();
     dynamic_cast<dynamicFvMesh&>(mesh_).update();
     checkMovedMesh(mesh_, scene_.box);
     scene_.movingPatches->follow(time_.value());

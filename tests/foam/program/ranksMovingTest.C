@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 using namespace Foam;
 using namespace Foam::nscdCoupling::testing;
@@ -45,11 +46,12 @@ std::string readFile(const fileName& path)
     return std::string((std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>());
 }
 
-/// The contents of a file behind its header, which ProgramCase writes anew.
+/// The contents of a file behind its header, which ProgramCase writes anew, by the dimensions.
 std::string bodyOf(const fileName& path)
 {
     const std::string text = readFile(path);
-    return text.substr(text.find('}', text.find("FoamFile")) + 1);
+    const std::string body = text.substr(text.find('}', text.find("FoamFile")) + 1);
+    return std::regex_replace(body, std::regex("dimensions +"), "dimensions ");
 }
 
 /// The paddle of tutorials/coupled/stirredTank, among whose cells there are grains from the start: some on both sides of the interface.
