@@ -57,7 +57,7 @@ def cakeLaw(case, time):
 
 def filtration(packed, time):
     """Pressure under the cake [Pa]: Ergun's gradient over the height to which a piston that keeps all grains back has piled them up.
-    Equation: height = c V t/(1 - c/phi)/phi, c of the suspension, phi of the cake (Ruth 1935: in proportion to the volume filtered)"""
+    Equation: height = c V t/(phi - c), c of the suspension, phi of the cake (Ruth 1935: in proportion to the volume filtered)"""
     return ergun(packed)*LOOSE*SPEED*time/(packed - LOOSE)
 
 
