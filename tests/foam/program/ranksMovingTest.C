@@ -109,7 +109,7 @@ TEST(Ranks, loseGrainsThroughExitsThatMove)
 
 TEST(Ranks, stirWithHalvesThatSlide)
 {
-    const std::string control = "deltaT 2e-3; endTime 0.04; writeInterval 10; writeFormat binary;";
+    const std::string control = "deltaT 2e-3; endTime 0.02; writeInterval 10; writeFormat binary;";
     const ProgramCase alone(stirred(""), control);
     EXPECT_TRUE(succeeds(alone.run("blockMesh")));
     EXPECT_TRUE(succeeds(alone.run()));
