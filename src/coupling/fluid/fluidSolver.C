@@ -63,7 +63,6 @@ FluidSolver::FluidSolver(fvMesh& mesh, GrainSources& sources, const dictionary& 
     pressure_(mesh, pimple_, p_, fields_.pRgh, meanFlowDict)
 {
     refuseConsistent(pimple_.dict());
-    if (mesh.dynamic()) keepFaceVelocity(fields_, sources.fluidFraction);
     fillAllRankPatches(mesh);
 }
 
@@ -71,7 +70,13 @@ FluidSolver::FluidSolver(fvMesh& mesh, GrainSources& sources, const dictionary& 
 void FluidSolver::solve()
 {
     while (nextOuterLoop()) solveOuterLoop();
-    if (mesh_.dynamic()) keepFaceVelocity(fields_, sources_.fluidFraction);
+}
+
+
+// Of nothing but what is written at a time, so that a run that goes on makes the same.
+void FluidSolver::beforeMeshMoves()
+{
+    keepFaceVelocity(fields_, sources_.fluidFraction);
 }
 
 

@@ -155,7 +155,7 @@ std::vector<LocatedBall> GrainMapping::locate(const ::nscd::Grains& grains, cons
 
 CellHome GrainMapping::find(const Vec3& position, const label guess) const
 {
-    return layout_->mesh.home(layout_->locator.find(position, guess));
+    return layout_->mesh.home(layout_->locator.findInCells(position, guess));
 }
 
 void GrainMapping::listMissing(const ::nscd::Grains& grains)

@@ -18,17 +18,27 @@ void CoupledRun::moveMesh()
 {
     if (!movesMesh()) return;
     const auto timer = timing_.time(StepPart::depositGrains);
+    if (hasFluid()) immersion_->fluid->beforeMeshMoves();
     dynamic_cast<dynamicFvMesh&>(mesh_).update();
     checkMovedMesh(mesh_, scene_.box);
     scene_.movingPatches->follow(time_.value());
     if (locations_) locations_ = std::make_unique<GrainLocations>(mesh_);
+    if (homes_ && !hasFluid()) homes_->followMesh(findHome());
     if (!hasFluid()) return;
     immersion_->fluid->followMesh();
     if (!immersion_->mapping) return;
     std::vector<label> cells = immersion_->mapping->cells();
     makeMapping();
     immersion_->mapping->lookFirstIn(std::move(cells));
+    if (homes_) homes_->followMesh(findHome());
     if (hasGrains()) updateWeights();
+}
+
+
+FindHome CoupledRun::findHome() const
+{
+    if (!properties_.solvesFluid) return findHomeIn(mesh_);
+    return [this](const Vec3& position, label guess) { return immersion_->mapping->find(position, guess); };
 }
 
 

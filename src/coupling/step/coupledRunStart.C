@@ -216,11 +216,7 @@ void CoupledRun::goOnFrom(const GrainState& state)
 
 void CoupledRun::startHomes()
 {
-    if (ranks_.isParallel())
-    {
-        const FindHome inMapping = [this](const Vec3& position, label guess) { return immersion_->mapping->find(position, guess); };
-        homes_ = std::make_unique<GrainHomes>(mesh_, ranks_.tree(), properties_.solvesFluid ? inMapping : findHomeIn(mesh_));
-    }
+    if (ranks_.isParallel()) homes_ = std::make_unique<GrainHomes>(mesh_, ranks_.tree(), findHome());
     else if (!properties_.solvesFluid && (hasExits() || properties_.hasEntries())) locations_ = std::make_unique<GrainLocations>(mesh_);
 }
 

@@ -7,6 +7,7 @@
 #include "coupling/base/vectorConversion.H"
 #include "coupling/case/walls/grainExits.H"
 #include "coupling/mapping/mesh/cellLocator.H"
+#include "coupling/mapping/mesh/nearestBorder.H"
 
 #include "parallel/pointRouting.hpp"
 
@@ -62,15 +63,23 @@ struct LocatedMesh
 FindHome findHomeIn(const fvMesh& mesh)
 {
     const auto located = std::make_shared<const LocatedMesh>(mesh);
-    return [located](const ::nscd::Vec3& position, label guess) { return located->cells.home(located->locator.find(position, guess)); };
+    return [located](const ::nscd::Vec3& position, label guess) { return located->cells.home(located->locator.findInCells(position, guess)); };
 }
 
 GrainHomes::GrainHomes(const polyMesh& mesh, const ::nscd::RankTree& tree, FindHome find)
 :
+    mesh_(mesh),
     box_(boxOf(mesh)),
     tree_(tree),
-    find_(std::move(find))
+    find_(std::move(find)),
+    hasHalves_(slidesInHalves(mesh))
 {}
+
+void GrainHomes::followMesh(FindHome find)
+{
+    box_ = boxOf(mesh_);
+    find_ = std::move(find);
+}
 
 void GrainHomes::askLastHomes(const ::nscd::Grains& grains)
 {
@@ -102,16 +111,21 @@ void GrainHomes::askLastHomes(const ::nscd::Grains& grains)
     }
 }
 
+void GrainHomes::listAstray(const ::nscd::Grains& grains, std::vector<::nscd::Vec3>& positions, std::vector<std::size_t>& grainOf) const
+{
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        if (homes_[i].rank >= 0) continue;
+        positions.push_back(grains.position[i]);
+        grainOf.push_back(i);
+    }
+}
+
 void GrainHomes::askAround(const ::nscd::Grains& grains)
 {
     std::vector<::nscd::Vec3> astray;
     std::vector<std::size_t> grainOf;
-    for (std::size_t i = 0; i < grains.nOwned; ++i)
-    {
-        if (homes_[i].rank >= 0) continue;
-        astray.push_back(grains.position[i]);
-        grainOf.push_back(i);
-    }
+    listAstray(grains, astray, grainOf);
     std::vector<Answer> answers;
     std::vector<int> askers;
     for (const ::nscd::RoutedPoint& asked : ::nscd::routePoints(tree_, astray, box_))
@@ -134,11 +148,31 @@ void GrainHomes::askAround(const ::nscd::Grains& grains)
     }
 }
 
+// Between the halves of a mesh that slide past each other are slivers without cells: who has the nearest face there has the grain, if no other
+// border of the mesh is nearer.
+void GrainHomes::askBetweenHalves(const ::nscd::Grains& grains)
+{
+    if (!hasHalves_) return;
+    std::vector<::nscd::Vec3> astray;
+    std::vector<std::size_t> grainOf;
+    listAstray(grains, astray, grainOf);
+    scalar any = scalar(astray.size());
+    tree_.all().sum(&any, 1);
+    if (any == 0) return;
+    const std::vector<BorderOfRanks> nearest = nearestBorders(mesh_, astray, tree_);
+    for (std::size_t k = 0; k < nearest.size(); ++k)
+    {
+        const BorderOfRanks& border = nearest[k];
+        if (border.patch >= 0 && isBetweenHalves(mesh_.boundaryMesh()[border.patch])) homes_[grainOf[k]] = {border.rank, border.cell};
+    }
+}
+
 const std::vector<CellHome>& GrainHomes::update(const ::nscd::Grains& grains)
 {
     homes_.resize(grains.nOwned);
     askLastHomes(grains);
     askAround(grains);
+    askBetweenHalves(grains);
     return homes_;
 }
 

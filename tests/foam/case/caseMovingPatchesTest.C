@@ -39,7 +39,7 @@ TEST(MovingPatches, haveThePosesOfAMeshThatMovesAsOne)
 {
     BoxMesh box;
     const pointField start(box.mesh().points());
-    MovingPatches patches(box.mesh(), allSides);
+    MovingPatches patches(box.mesh(), allSides, start);
     EXPECT_EQ(patches.pose(0, 17).matrix(), Eigen::Matrix4d::Identity()) << "before the first step, whatever the time";
     for (const scalar angle : {0.3, 2.0})
     {
@@ -57,7 +57,7 @@ TEST(MovingPatches, stayWhereTheirPointsSlideInThem)
 {
     BoxMesh box;
     const pointField start(box.mesh().points());
-    MovingPatches patches(box.mesh(), allSides);
+    MovingPatches patches(box.mesh(), allSides, start);
     // A piston: the upper side comes down, and the sides are pressed.
     moveTo(box, start, [](const point& x) { return point(x.x(), x.y(), 0.8*x.z()); });
     patches.follow(box.time().value());
@@ -77,7 +77,7 @@ TEST(MovingPatches, refuseAWallThatBends)
 {
     BoxMesh box;
     const pointField start(box.mesh().points());
-    MovingPatches patches(box.mesh(), allSides);
+    MovingPatches patches(box.mesh(), allSides, start);
     moveTo(box, start, [](const point& x) { return point(x.x(), x.y(), x.z() + 0.05*x.x()*x.y()); });
     EXPECT_THROW(patches.follow(box.time().value()), error);
 }

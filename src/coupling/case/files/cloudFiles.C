@@ -3,7 +3,6 @@
 //
 // Writing and reading clouds.
 #include "coupling/case/files/cloudFiles.H"
-#include "coupling/base/openFoamVersions.H"
 #include "coupling/case/files/processorNames.H"
 #include "coupling/case/files/writtenFiles.H"
 #include "coupling/case/input/inputError.H"
@@ -11,6 +10,7 @@
 
 #include "IOField.H"
 #include "IOPosition.H"
+#include "IOdictionary.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "Time.H"
@@ -30,21 +30,52 @@ void writeNow(const regIOobject& object)
     writeOrRefuse(object.objectPath(), write);
 }
 
-/// OpenFOAM writes no files for a cloud without particles; readers of a case then miss the whole cloud.
-void writeEmptyCloud(passiveParticleCloud& cloud)
+/// In which of the two forms the points are written, and how many names of points each rank has given away: for OpenFOAM's readers.
+void writeProperties(const CloudOfPoints& cloud)
 {
-    writeNow(IOPosition<passiveParticleCloud>(cloud));
-    if (particle::writeLagrangianPositions)
+    labelList counts(Pstream::nProcs(), Zero);
+    counts[Pstream::myProcNo()] = particle::particleCount_;
+    Pstream::gatherList(counts);
+    Pstream::scatterList(counts);
+    const fileName folder = "uniform"/cloud::prefix/cloud.name();
+    IOdictionary properties(IOobject("cloudProperties", cloud.time().timeName(), folder, cloud.db(), IOobject::NO_READ, IOobject::NO_WRITE, false));
+    properties.add("geometry", cloud::geometryTypeNames[cloud::geometryType::COORDINATES]);
+    forAll(counts, rank)
     {
-        writeNow(IOPosition<passiveParticleCloud>(cloud, cloud::geometryType::POSITIONS));
+        dictionary numbers;
+        numbers.add("particleCount", counts[rank]);
+        properties.add(word("processor" + Foam::name(rank)), numbers);
     }
-    for (const char* field : {"origId", "origProcId"})
+    const auto write = [&]
     {
-        writeNow(IOField<label>(cloud.fieldIOobject(field, IOobject::NO_READ), 0));
-    }
+        return properties.writeObject(IOstream::ASCII, IOstream::currentVersion, cloud.time().writeCompression(), true);
+    };
+    writeOrRefuse(properties.objectPath(), write);
+}
+
+/// For a cloud without points too, which readers of a case would miss otherwise.
+void writePoints(const CloudOfPoints& cloud)
+{
+    writeNow(IOPosition<CloudOfPoints>(cloud));
+    if (particle::writeLagrangianPositions) writeNow(IOPosition<CloudOfPoints>(cloud, cloud::geometryType::POSITIONS));
 }
 
 } // namespace
+
+
+CloudOfPoints::CloudOfPoints(const polyMesh& mesh, const word& name)
+:
+    cloud(mesh, name),
+    mesh_(mesh)
+{
+    mesh.tetBasePtIs();   // collective, so not to be left to the first point
+}
+
+
+IOobject CloudOfPoints::file(const word& field) const
+{
+    return IOobject(field, time().timeName(), *this, IOobject::NO_READ, IOobject::NO_WRITE, false);
+}
 
 
 CloudWriter::CloudWriter
@@ -52,24 +83,20 @@ CloudWriter::CloudWriter
     const polyMesh& mesh, const word& name, const List<vector>& positions, const labelUList& cells, const labelUList& ids
 )
 :
-    cloud_(emptyCloud(mesh, name))
+    cloud_(mesh, name)
 {
-    forAll(positions, i)
-    {
-        auto* point = new passiveParticle(mesh, positions[i], cells[i]);
-        point->origProc() = Pstream::myProcNo();
-        point->origId() = ids[i];
-        cloud_.addParticle(point);
-    }
-    writeNow(cloud_);
-    if (positions.empty()) writeEmptyCloud(cloud_);
+    forAll(positions, i) cloud_.append(new passiveParticle(mesh, positions[i], cells[i]));
+    writeProperties(cloud_);
+    writePoints(cloud_);
+    write("origId", ids);
+    write("origProcId", labelList(positions.size(), Pstream::myProcNo()));
 }
 
 
 template<class Type>
 void CloudWriter::writeField(const word& field, const UList<Type>& values) const
 {
-    writeNow(IOField<Type>(cloud_.fieldIOobject(field, IOobject::NO_READ), Field<Type>(values)));
+    writeNow(IOField<Type>(cloud_.file(field), Field<Type>(values)));
 }
 
 

@@ -34,11 +34,14 @@ nscd::RandomNumbers foamRandom(std::uint64_t seed)
 }
 
 /// The walls of the mesh come first. Where there will be no grains, walls may do what they like.
-void moveWithMesh(GrainScene& scene, const polyMesh& mesh, bool hasGrains)
+void addMovingWalls(GrainScene& scene, const GrainProperties& properties, const polyMesh& mesh)
 {
-    const labelList walls = hasGrains ? scene.roles.ofRole(PatchRole::wall) : labelList();
-    scene.movingPatches = std::make_shared<MovingPatches>(mesh, walls);
+    const pointField rest = pointsAtRest(mesh);
+    scene.walls = makeMeshWalls(properties, scene.roles, mesh, rest);
+    const labelList walls = properties.hasAnySource() ? scene.roles.ofRole(PatchRole::wall) : labelList();
+    scene.movingPatches = std::make_shared<MovingPatches>(mesh, walls, rest);
     for (label k = 0; k < walls.size(); ++k) scene.walls.setMotion(int(k), motionOf(scene.movingPatches, std::size_t(k)));
+    nscd::moveWalls(scene.walls, mesh.time().value());
 }
 
 } // namespace
@@ -74,8 +77,8 @@ GrainScene makeGrainScene(const GrainProperties& properties, const polyMesh& mes
     checkShape(properties, mesh);
     checkGravity(gravity, scene.space, mesh.time());
     scene.roles = assignPatchRoles(properties, mesh);
-    scene.walls = makeMeshWalls(properties, scene.roles, mesh);
-    if (isA<dynamicFvMesh>(mesh)) moveWithMesh(scene, mesh, properties.hasAnySource());
+    if (isA<dynamicFvMesh>(mesh)) addMovingWalls(scene, properties, mesh);
+    else scene.walls = makeMeshWalls(properties, scene.roles, mesh);
     scene.box = periodicBox(mesh);
     checkMeanFlow(properties, scene.box);
     return scene;

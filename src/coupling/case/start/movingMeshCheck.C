@@ -47,7 +47,6 @@ void checkMovingMesh(const GrainProperties& properties, const polyMesh& mesh)
     {
         fail({placeOf(dict, keyword), "moves the mesh, " + problem, dict.get<word>(keyword), still + ", or " + allowed});
     };
-    if (Pstream::parRun()) refuse("which nscdDEMFoam does on one rank only", "one rank");
     if (properties.heat) refuse("on which temperatures are not followed", "no `heat`");
     if (properties.holdsMeanFlow) refuse("on which a mean flow is not held", "no `meanFlow`");
     if (properties.time.subCycles > 1) refuse("whose walls are known at the ends of the fluid's steps alone", "`subCycles 1`");

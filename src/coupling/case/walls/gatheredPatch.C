@@ -37,7 +37,7 @@ labelList facesOfWholeMesh(const polyMesh& mesh)
 }
 
 
-GatheredPatch gatherPatch(const polyMesh& mesh, const polyPatch& patch, const labelUList& wholeFace)
+GatheredPatch gatherPatch(const polyMesh& mesh, const pointField& points, const polyPatch& patch, const labelUList& wholeFace)
 {
     labelList pointNumber, ownPoints;
     mesh.globalData().mergePoints(patch.meshPoints(), patch.meshPointMap(), pointNumber, ownPoints);
@@ -47,7 +47,7 @@ GatheredPatch gatherPatch(const polyMesh& mesh, const polyPatch& patch, const la
     if (!wholeFace.empty()) ownOrder = SubList<label>(wholeFace, patch.size(), patch.start());
 
     GatheredPatch whole;
-    whole.points = gathered<point>(pointField(mesh.points(), ownPoints));
+    whole.points = gathered<point>(pointField(points, ownPoints));
     whole.faces = gathered<face>(ownFaces);
     const labelList order = gathered<label>(ownOrder);
     if (order.size() != whole.faces.size()) return whole;

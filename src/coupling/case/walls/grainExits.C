@@ -6,10 +6,7 @@
 #include "coupling/case/walls/grainExits.H"
 #include "coupling/mapping/mesh/nearestBorder.H"
 
-#include "parallel/pointRouting.hpp"
-
 #include "PstreamReduceOps.H"
-#include "Tuple2.H"
 
 #include <algorithm>
 #include <map>
@@ -18,100 +15,6 @@ namespace Foam
 {
 namespace nscdCoupling
 {
-
-namespace
-{
-
-/// A patch and how far it is; of two at the same distance the lower number wins, on all ranks.
-using PatchDistance = Tuple2<scalar, label>;
-
-using ::nscd::Vec3;
-
-PatchDistance nearestHere(const polyMesh& mesh, const point& position)
-{
-    const BorderFace nearest = nearestBorder(mesh, position);
-    return PatchDistance(nearest.distance, nearest.face < 0 ? -1 : mesh.boundaryMesh().whichPatch(nearest.face));
-}
-
-List<PatchDistance> nearestOfHere(const polyMesh& mesh, const pointField& positions)
-{
-    List<PatchDistance> nearest;
-    for (const point& position : positions) nearest.append(nearestHere(mesh, position));
-    return nearest;
-}
-
-/// Around the faces that nearestHere() looks at, and by `reach` beyond; empty where there are none.
-Eigen::AlignedBox3d boxOfBoundary(const polyMesh& mesh, scalar reach)
-{
-    Eigen::AlignedBox3d box;
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (!isBorder(patch)) continue;
-        for (const point& x : patch.localPoints()) box.extend(toVec3(x));
-    }
-    const Vec3 more = Vec3::Constant(reach);
-    return box.isEmpty() ? box : Eigen::AlignedBox3d(box.min() - more, box.max() + more);
-}
-
-/// What a rank says of a point that another one asked for.
-struct Answer
-{
-    scalar distance;
-    label patch;
-    label index;  ///< of the point, there
-};
-
-/// Asks the ranks within `reach` of the points, and keeps what is nearer than was known. Collective.
-void askWithin
-(
-    const polyMesh& mesh, scalar reach, const std::vector<Vec3>& points, const labelList& indices, const ::nscd::RankTree& tree,
-    List<PatchDistance>& nearest
-)
-{
-    std::vector<Answer> answers;
-    std::vector<int> askers;
-    for (const ::nscd::RoutedPoint& asked : ::nscd::routePoints(tree, points, boxOfBoundary(mesh, reach)))
-    {
-        const PatchDistance found = nearestHere(mesh, point(asked.position[0], asked.position[1], asked.position[2]));
-        answers.push_back({found.first(), found.second(), asked.index});
-        askers.push_back(asked.origin);
-    }
-    for (const Answer& answer : ::nscd::valuesOf<Answer>(tree.all().exchange(::nscd::messagesByRank(answers, askers))))
-    {
-        const PatchDistance found(answer.distance, answer.patch);
-        PatchDistance& known = nearest[indices[answer.index]];
-        if (found < known) known = found;
-    }
-}
-
-/// Asks farther and farther ranks, until each point has a face that is nearer than all that were not asked.
-List<PatchDistance> nearestOfRanks(const polyMesh& mesh, const pointField& positions, const ::nscd::RankTree& tree)
-{
-    const ::nscd::Communicator& ranks = tree.all();
-    List<PatchDistance> nearest(positions.size(), PatchDistance(GREAT, -1));
-    scalar farthest = mesh.bounds().mag();
-    for (const point& x : positions) farthest = max(farthest, mag(x - mesh.bounds().centre()) + mesh.bounds().mag());
-    ranks.max(&farthest, 1);
-    scalar unsure = 1;
-    for (scalar reach = 0.01*mesh.bounds().mag(); unsure > 0 && reach < 4*farthest; reach *= 4)
-    {
-        std::vector<Vec3> points;
-        labelList indices;
-        forAll(positions, i)
-        {
-            if (nearest[i].first() <= 0.25*reach) continue;
-            points.push_back(toVec3(positions[i]));
-            indices.append(i);
-        }
-        unsure = scalar(points.size());
-        ranks.sum(&unsure, 1);
-        if (unsure > 0) askWithin(mesh, reach, points, indices, tree, nearest);
-    }
-    return nearest;
-}
-
-} // namespace
-
 
 ExitedGrains findExited
 (
@@ -148,9 +51,19 @@ ExitedGrains findExited
 
 labelList nearestPatches(const polyMesh& mesh, const pointField& positions, const ::nscd::RankTree* tree)
 {
-    const List<PatchDistance> nearest = tree ? nearestOfRanks(mesh, positions, *tree) : nearestOfHere(mesh, positions);
-    labelList patches(nearest.size());
-    forAll(patches, i) patches[i] = nearest[i].second();
+    labelList patches;
+    if (!tree)
+    {
+        for (const point& x : positions)
+        {
+            const label face = nearestBorder(mesh, x).face;
+            patches.append(face < 0 ? -1 : mesh.boundaryMesh().whichPatch(face));
+        }
+        return patches;
+    }
+    std::vector<::nscd::Vec3> points;
+    for (const point& x : positions) points.push_back(toVec3(x));
+    for (const BorderOfRanks& nearest : nearestBorders(mesh, points, *tree)) patches.append(nearest.patch);
     return patches;
 }
 

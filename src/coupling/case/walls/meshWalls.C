@@ -19,10 +19,13 @@ namespace nscdCoupling
 namespace
 {
 
-std::vector<nscd::WallRegion> regionsOf(const polyMesh& mesh, const polyPatch& patch, int wallPatch, const labelUList& wholeFace)
+std::vector<nscd::WallRegion> regionsOf
+(
+    const polyMesh& mesh, const pointField& points, const polyPatch& patch, int wallPatch, const labelUList& wholeFace
+)
 {
-    if (!Pstream::parRun()) return coplanarRegions(patch, wallPatch);
-    const GatheredPatch whole = gatherPatch(mesh, patch, wholeFace);
+    if (!Pstream::parRun()) return coplanarRegions(primitivePatch(SubList<face>(mesh.faces(), patch.size(), patch.start()), points), wallPatch);
+    const GatheredPatch whole = gatherPatch(mesh, points, patch, wholeFace);
     return coplanarRegions(primitivePatch(SubList<face>(whole.faces, whole.faces.size()), whole.points), wallPatch);
 }
 
@@ -49,7 +52,7 @@ void append(nscd::Walls& walls, const GrainProperties& properties)
 } // namespace
 
 
-nscd::Walls makeMeshWalls(const GrainProperties& properties, const PatchRoles& roles, const polyMesh& mesh)
+nscd::Walls makeMeshWalls(const GrainProperties& properties, const PatchRoles& roles, const polyMesh& mesh, const pointField& points)
 {
     nscd::Walls walls;
     const labelList wholeFace = Pstream::parRun() ? facesOfWholeMesh(mesh) : labelList();
@@ -57,7 +60,7 @@ nscd::Walls makeMeshWalls(const GrainProperties& properties, const PatchRoles& r
     {
         const polyPatch& patch = mesh.boundaryMesh()[patchi];
         const int wallPatch = walls.addPatch(patch.name(), roles.material[patchi]);
-        const std::vector<nscd::WallRegion> regions = regionsOf(mesh, patch, wallPatch, wholeFace);
+        const std::vector<nscd::WallRegion> regions = regionsOf(mesh, points, patch, wallPatch, wholeFace);
         walls.regions.insert(walls.regions.end(), regions.begin(), regions.end());
         walls.setSurfaceMotion(wallPatch, roles.surfaceMotion[patchi]);
         walls.patches[wallPatch].torquePoint = toVec3(roles.torquePoint[patchi]);
@@ -65,6 +68,12 @@ nscd::Walls makeMeshWalls(const GrainProperties& properties, const PatchRoles& r
     append(walls, properties);
     nscd::moveWalls(walls, mesh.time().value());
     return walls;
+}
+
+
+nscd::Walls makeMeshWalls(const GrainProperties& properties, const PatchRoles& roles, const polyMesh& mesh)
+{
+    return makeMeshWalls(properties, roles, mesh, mesh.points());
 }
 
 } // namespace nscdCoupling

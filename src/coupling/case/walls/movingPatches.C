@@ -6,7 +6,9 @@
 
 #include "coupling/base/vectorConversion.H"
 
+#include "PstreamReduceOps.H"
 #include "Time.H"
+#include "pointIOField.H"
 
 #include <Eigen/SVD>
 
@@ -21,18 +23,27 @@ namespace
 /// How far a point may be from where its patch's pose has it, over the patch's size.
 constexpr scalar misfit = 1e-6;
 
-nscd::Vec3 centroid(const pointField& points)
+/// On all ranks.
+point meanOf(const pointField& points, label nPoints)
 {
-    nscd::Vec3 sum = nscd::Vec3::Zero();
-    for (const point& x : points) sum += toVec3(x);
-    return sum/std::max(points.size(), label(1));
+    return returnReduce(sum(points), sumOp<point>())/scalar(max(nPoints, label(1)));
 }
 
-nscd::WallPose rigidFit(const pointField& from, const pointField& to)
+Eigen::Matrix3d covarianceOf(const pointField& from, const point& start, const pointField& to, const point& end)
 {
-    const nscd::Vec3 start = centroid(from), end = centroid(to);
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    forAll(from, i) covariance += (toVec3(from[i]) - start)*(toVec3(to[i]) - end).transpose();
+    tensor sum = Zero;
+    forAll(from, i) sum += (from[i] - start)*(to[i] - end);
+    reduce(sum, sumOp<tensor>());
+    Eigen::Matrix3d covariance;
+    for (direction row = 0; row < 3; ++row)
+    {
+        for (direction column = 0; column < 3; ++column) covariance(row, column) = sum(row, column);
+    }
+    return covariance;
+}
+
+nscd::WallPose rigidFit(const Eigen::Matrix3d& covariance, const nscd::Vec3& start, const nscd::Vec3& end)
+{
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Eigen::Matrix3d sides = Eigen::Matrix3d::Identity();
     sides(2, 2) = (svd.matrixV()*svd.matrixU().transpose()).determinant() < 0 ? -1 : 1;
@@ -42,36 +53,59 @@ nscd::WallPose rigidFit(const pointField& from, const pointField& to)
     return pose;
 }
 
-bool isFlat(const polyPatch& patch)
+/// Of a patch whose points all lie in one plane through `center`; zero of others.
+vector flatNormal(const polyPatch& patch, const pointField& rest, const pointField& own, const point& center, scalar size)
 {
-    if (patch.empty()) return true;
-    const vector normal = patch.faceNormals()[0];
-    const scalar size = boundBox(patch.localPoints(), false).mag();
-    for (const point& x : patch.localPoints())
-    {
-        if (mag((x - patch.localPoints()[0]) & normal) > misfit*size) return false;
-    }
-    return true;
+    vector area = Zero;
+    for (const face& f : patch) area += f.areaNormal(rest);
+    reduce(area, sumOp<vector>());
+    // Of a closed surface, or none, nothing is left.
+    if (mag(area) <= misfit*sqr(size)) return Zero;
+    const vector normal = area/mag(area);
+    scalar off = 0;
+    for (const point& x : own) off = max(off, mag((x - center) & normal));
+    return returnReduce(off, maxOp<scalar>()) <= misfit*size ? normal : vector(Zero);
 }
 
 } // namespace
 
 
-MovingPatches::MovingPatches(const polyMesh& mesh, const labelList& patches)
+pointField pointsAtRest(const polyMesh& mesh)
+{
+    IOobject file("points", mesh.facesInstance(), polyMesh::meshSubDir, mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    const bool isThere = returnReduce(file.typeHeaderOk<pointIOField>(true), andOp<bool>());
+    if (!isThere) return mesh.points();
+    const pointIOField points(file);
+    return returnReduce(points.size() == mesh.nPoints(), andOp<bool>()) ? pointField(points) : mesh.points();
+}
+
+
+MovingPatches::MovingPatches(const polyMesh& mesh, const labelList& patches, const pointField& rest)
 :
     mesh_(mesh),
     now_(mesh.time().value()),
     next_(now_)
 {
-    for (const label patchi : patches) patches_.push_back(patchNow(patchi));
+    for (const label patchi : patches)
+    {
+        patches_.push_back(patchAtRest(patchi, rest));
+        patches_.back().next = poseNow(patches_.back());
+    }
 }
 
 
-MovingPatches::Patch MovingPatches::patchNow(label index) const
+MovingPatches::Patch MovingPatches::patchAtRest(label index, const pointField& rest) const
 {
     const polyPatch& patch = mesh_.boundaryMesh()[index];
-    const boundBox box(patch.localPoints(), false);
-    return {index, patch.localPoints(), box, box.mag(), isFlat(patch)};
+    Patch result;
+    result.index = index;
+    result.start = pointField(rest, patch.meshPoints());
+    result.nPoints = returnReduce(result.start.size(), sumOp<label>());
+    result.center = meanOf(result.start, result.nPoints);
+    result.startBox = boundBox(result.start, true);
+    result.size = result.nPoints > 0 ? result.startBox.mag() : 0;
+    result.normal = flatNormal(patch, rest, result.start, result.center, result.size);
+    return result;
 }
 
 
@@ -82,22 +116,29 @@ void MovingPatches::follow(scalar time)
     for (Patch& patch : patches_)
     {
         patch.now = patch.next;
-        const pointField& points = mesh_.boundaryMesh()[patch.index].localPoints();
-        if (points != patch.start) patch.next = fitted(patch, points);
-        else patch.next = nscd::WallPose::Identity();
+        patch.next = poseNow(patch);
     }
+}
+
+
+nscd::WallPose MovingPatches::poseNow(const Patch& patch) const
+{
+    const pointField& points = mesh_.boundaryMesh()[patch.index].localPoints();
+    const bool hasMoved = returnReduce(points != patch.start, orOp<bool>());
+    return hasMoved ? fitted(patch, points) : nscd::WallPose::Identity();
 }
 
 
 nscd::WallPose MovingPatches::fitted(const Patch& patch, const pointField& points) const
 {
-    const nscd::WallPose pose = rigidFit(patch.start, points);
+    const point center = meanOf(points, patch.nPoints);
+    const nscd::WallPose pose = rigidFit(covarianceOf(patch.start, patch.center, points, center), toVec3(patch.center), toVec3(center));
     scalar worst = 0;
     forAll(points, i) worst = max(worst, (pose*toVec3(patch.start[i]) - toVec3(points[i])).norm());
-    if (worst <= misfit*patch.size) return pose;
+    if (returnReduce(worst, maxOp<scalar>()) <= misfit*patch.size) return pose;
     if (slidesInItself(patch, points)) return nscd::WallPose::Identity();
     FatalErrorInFunction
-        << "patch " << mesh_.boundaryMesh()[patch.index].name() << " of the moving mesh changes its shape by time " << next_
+        << "patch " << mesh_.boundaryMesh()[patch.index].name() << " of the moving mesh changes its shape from constant/polyMesh by time " << next_
         << ": grains need walls that move as rigid bodies, or flat ones whose points stay where the wall was at the start"
         << exit(FatalError);
     return pose;
@@ -107,16 +148,12 @@ nscd::WallPose MovingPatches::fitted(const Patch& patch, const pointField& point
 /// As the sides of a cylinder that a piston moves in do, when they are flat: the wall is where it was.
 bool MovingPatches::slidesInItself(const Patch& patch, const pointField& points) const
 {
-    if (!patch.isFlat || points.size() < 3) return false;
-    const vector normal = mesh_.boundaryMesh()[patch.index].faceNormals()[0];
-    const scalar slack = misfit*patch.size;
+    if (patch.normal == vector(Zero) || patch.nPoints < 3) return false;
     boundBox reach(patch.startBox);
     reach.inflate(misfit);
-    forAll(points, i)
-    {
-        if (mag((points[i] - patch.start[0]) & normal) > slack || !reach.contains(points[i])) return false;
-    }
-    return true;
+    bool staysThere = true;
+    for (const point& x : points) staysThere = staysThere && mag((x - patch.center) & patch.normal) <= misfit*patch.size && reach.contains(x);
+    return returnReduce(staysThere, andOp<bool>());
 }
 
 

@@ -38,7 +38,7 @@ bool isWallByType(const polyPatch& patch)
 }
 
 /// Between halves of a mesh that move past each other.
-bool isSliding(const polyPatch& patch) { return isA<cyclicAMIPolyPatch>(patch) && !Pstream::parRun(); }
+bool isSliding(const polyPatch& patch) { return isA<cyclicAMIPolyPatch>(patch); }
 
 bool mayTakeRule(const polyPatch& patch)
 {
@@ -56,7 +56,7 @@ void refuseUnknownKinds(const polyMesh& mesh)
         ({
             boundaryPlace(mesh, patch),
             isParallel ? "belongs to a part of a decomposed case: run the whole with -parallel" : "is of a type that grains do not know",
-            patch.type(), "wall, symmetry, symmetryPlane, patch, cyclic, cyclicAMI on one rank, empty"
+            patch.type(), "wall, symmetry, symmetryPlane, patch, cyclic, cyclicAMI, empty"
         });
     }
 }

@@ -6,8 +6,6 @@
 #include "coupling/mapping/mesh/cellLocator.H"
 #include "coupling/mapping/mesh/nearestBorder.H"
 
-#include "cyclicAMIPolyPatch.H"
-
 namespace Foam
 {
 namespace nscdCoupling
@@ -68,12 +66,6 @@ std::vector<Eigen::AlignedBox3d> boxesOf(const std::vector<label>& cells, const 
     return boxes;
 }
 
-bool anySliding(const polyBoundaryMesh& patches)
-{
-    for (const polyPatch& patch : patches) if (isA<cyclicAMIPolyPatch>(patch)) return true;
-    return false;
-}
-
 } // namespace
 
 CellLocator::CellLocator(const MappingMesh& mappingMesh, const polyMesh& mesh)
@@ -83,7 +75,7 @@ CellLocator::CellLocator(const MappingMesh& mappingMesh, const polyMesh& mesh)
     middle_(mappingMesh.inPlane(toVec3(mesh.bounds().centre()))),
     cellsBetweenRanks_(cellsBetweenRanks(mappingMesh)),
     boxesBetweenRanks_(boxesOf(cellsBetweenRanks_, mappingMesh)),
-    hasHalves_(anySliding(mesh.boundaryMesh()))
+    hasHalves_(slidesInHalves(mesh))
 {
     if (Pstream::parRun())
     {
@@ -187,7 +179,7 @@ label CellLocator::search(const Vec3& x) const
     // The octree may miss a point on the border of the mesh; one just inside of it starts a walk.
     const Vec3 inside = x + 1e-9*(middle_ - x);
     const label nearby = polyMesh_.findCell(toFoam(inside));
-    return nearby >= 0 ? walk(nearby, x) : searchBetweenHalves(x);
+    return nearby >= 0 ? walk(nearby, x) : -1;
 }
 
 // The faces of two halves of a mesh that slide past each other are flat, and leave slivers between them: a point there belongs to the nearest
@@ -197,7 +189,7 @@ label CellLocator::searchBetweenHalves(const Vec3& x) const
     if (!hasHalves_) return -1;
     const label face = nearestBorder(polyMesh_, toFoam(x)).face;
     const label patch = polyMesh_.boundaryMesh().whichPatch(face);
-    return isA<cyclicAMIPolyPatch>(polyMesh_.boundaryMesh()[patch]) ? polyMesh_.faceOwner()[face] : -1;
+    return isBetweenHalves(polyMesh_.boundaryMesh()[patch]) ? polyMesh_.faceOwner()[face] : -1;
 }
 
 // The octree knows nothing of halo cells, and it may miss a point of an own cell beside them, behind a warped face or on a flat
@@ -217,11 +209,17 @@ label CellLocator::searchBetweenRanks(const Vec3& x) const
     return -1;
 }
 
-label CellLocator::find(const Vec3& position, const label guess) const
+label CellLocator::findInCells(const Vec3& position, const label guess) const
 {
     const Vec3 x = mesh_.inPlane(position);
     const label cell = guess >= 0 && guess < mesh_.nCells() ? walk(guess, x) : -1;
     return cell >= 0 ? cell : search(x);
+}
+
+label CellLocator::find(const Vec3& position, const label guess) const
+{
+    const label cell = findInCells(position, guess);
+    return cell >= 0 ? cell : searchBetweenHalves(mesh_.inPlane(position));
 }
 
 } // namespace nscdCoupling
