@@ -27,16 +27,16 @@ using PatchDistance = Tuple2<scalar, label>;
 
 using ::nscd::Vec3;
 
-PatchDistance nearestHere(const polyMesh& mesh, const point& position)
+PatchDistance nearestHere(const polyMesh& mesh, const point& position, const scalarList& weights)
 {
-    const BorderFace nearest = nearestBorder(mesh, position);
+    const BorderFace nearest = nearestBorder(mesh, position, weights);
     return PatchDistance(nearest.distance, nearest.face < 0 ? -1 : mesh.boundaryMesh().whichPatch(nearest.face));
 }
 
-List<PatchDistance> nearestOfHere(const polyMesh& mesh, const pointField& positions)
+List<PatchDistance> nearestOfHere(const polyMesh& mesh, const pointField& positions, const scalarList& weights)
 {
     List<PatchDistance> nearest;
-    for (const point& position : positions) nearest.append(nearestHere(mesh, position));
+    for (const point& position : positions) nearest.append(nearestHere(mesh, position, weights));
     return nearest;
 }
 
@@ -65,14 +65,14 @@ struct Answer
 void askWithin
 (
     const polyMesh& mesh, scalar reach, const std::vector<Vec3>& points, const labelList& indices, const ::nscd::RankTree& tree,
-    List<PatchDistance>& nearest
+    const scalarList& weights, List<PatchDistance>& nearest
 )
 {
     std::vector<Answer> answers;
     std::vector<int> askers;
     for (const ::nscd::RoutedPoint& asked : ::nscd::routePoints(tree, points, boxOfBoundary(mesh, reach)))
     {
-        const PatchDistance found = nearestHere(mesh, point(asked.position[0], asked.position[1], asked.position[2]));
+        const PatchDistance found = nearestHere(mesh, point(asked.position[0], asked.position[1], asked.position[2]), weights);
         answers.push_back({found.first(), found.second(), asked.index});
         askers.push_back(asked.origin);
     }
@@ -85,7 +85,7 @@ void askWithin
 }
 
 /// Asks farther and farther ranks, until each point has a face that is nearer than all that were not asked.
-List<PatchDistance> nearestOfRanks(const polyMesh& mesh, const pointField& positions, const ::nscd::RankTree& tree)
+List<PatchDistance> nearestOfRanks(const polyMesh& mesh, const pointField& positions, const ::nscd::RankTree& tree, const scalarList& weights)
 {
     const ::nscd::Communicator& ranks = tree.all();
     List<PatchDistance> nearest(positions.size(), PatchDistance(GREAT, -1));
@@ -105,9 +105,20 @@ List<PatchDistance> nearestOfRanks(const polyMesh& mesh, const pointField& posit
         }
         unsure = scalar(points.size());
         ranks.sum(&unsure, 1);
-        if (unsure > 0) askWithin(mesh, reach, points, indices, tree, nearest);
+        if (unsure > 0) askWithin(mesh, reach, points, indices, tree, weights, nearest);
     }
     return nearest;
+}
+
+/// Walls hold grains, exits do not: who is out near both has left by the exit, unless the wall is less than half as far.
+scalarList exitsFirst(const PatchRoles& roles)
+{
+    scalarList weights(roles.role.size(), 2.0);
+    forAll(weights, patch)
+    {
+        if (roles.role[patch] == PatchRole::exit) weights[patch] = 1.0;
+    }
+    return weights;
 }
 
 } // namespace
@@ -127,7 +138,7 @@ ExitedGrains findExited
         positions.append(toFoam(grains.position[i]));
     }
     if (!returnReduce(!positions.empty(), orOp<bool>())) return exited;
-    exited.patches = nearestPatches(mesh, positions, tree);
+    exited.patches = nearestPatches(mesh, positions, tree, exitsFirst(roles));
     const labelList& patches = exited.patches;
     forAll(patches, k)
     {
@@ -146,9 +157,9 @@ ExitedGrains findExited
 }
 
 
-labelList nearestPatches(const polyMesh& mesh, const pointField& positions, const ::nscd::RankTree* tree)
+labelList nearestPatches(const polyMesh& mesh, const pointField& positions, const ::nscd::RankTree* tree, const scalarList& weights)
 {
-    const List<PatchDistance> nearest = tree ? nearestOfRanks(mesh, positions, *tree) : nearestOfHere(mesh, positions);
+    const List<PatchDistance> nearest = tree ? nearestOfRanks(mesh, positions, *tree, weights) : nearestOfHere(mesh, positions, weights);
     labelList patches(nearest.size());
     forAll(patches, i) patches[i] = nearest[i].second();
     return patches;

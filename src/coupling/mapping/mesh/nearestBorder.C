@@ -18,15 +18,16 @@ bool isBorder(const polyPatch& patch)
 }
 
 
-BorderFace nearestBorder(const polyMesh& mesh, const point& position)
+BorderFace nearestBorder(const polyMesh& mesh, const point& position, const scalarList& weights)
 {
     BorderFace nearest;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (!isBorder(patch)) continue;
+        const scalar weight = weights.empty() ? 1 : weights[patch.index()];
         forAll(patch, k)
         {
-            const scalar distance = patch[k].nearestPoint(position, mesh.points()).distance();
+            const scalar distance = weight*patch[k].nearestPoint(position, mesh.points()).distance();
             if (distance < nearest.distance) nearest = {distance, patch.start() + k};
         }
     }
