@@ -259,6 +259,18 @@ TEST(GrainExits, takeOutGrainsBeyondAnExitAndKeepTheOrder)
     EXPECT_EQ(leaky.grains.orientation.size(), 3u);
 }
 
+/// As dust does that turns in a cyclone, when it drops into the bin beside the wall.
+TEST(GrainExits, aGrainBeyondTheEdgeOfAnExitAndAWallLeftByTheExit)
+{
+    LeakyBox leaky;
+    for (const double side : {-0.02, 1.02})
+    {
+        leaky.add(Vec3(0.3, side, 1.01));
+        leaky.add(Vec3(side, 0.3, 1.01));
+    }
+    EXPECT_EQ(leaky.exited().size(), 4u);
+}
+
 TEST(GrainExits, aGrainThatGotThroughAWallStopsTheRun)
 {
     LeakyBox leaky;

@@ -29,16 +29,16 @@ pointField pointsAround(const scalar spread)
     return points;
 }
 
-void expectTheWholeMeshsPatches(const Decomposition& decomposition)
+void expectTheWholeMeshsPatches(const Decomposition& decomposition, const scalarList& weights = scalarList())
 {
     RanksMesh mesh(unitCells(labelVector(6, 5, 4), wordList(6, word("wall"))), decomposition);
     const ::nscd::MpiExchange exchange;
     for (const scalar spread : {0.1, 3.0, 300.0})
     {
         const pointField points = pointsAround(spread);
-        const labelList found = nearestPatches(mesh.part(), points, Pstream::parRun() ? &exchange.tree() : nullptr);
+        const labelList found = nearestPatches(mesh.part(), points, Pstream::parRun() ? &exchange.tree() : nullptr, weights);
         const SerialSection serial;
-        EXPECT_EQ(found, nearestPatches(mesh.whole(), points, nullptr)) << "spread " << spread;
+        EXPECT_EQ(found, nearestPatches(mesh.whole(), points, nullptr, weights)) << "spread " << spread;
     }
 }
 
@@ -47,5 +47,7 @@ TEST(exitsRanks, slices) { expectTheWholeMeshsPatches(slices()); }
 TEST(exitsRanks, blocks) { expectTheWholeMeshsPatches(blocks()); }
 
 TEST(exitsRanks, scatteredCells) { expectTheWholeMeshsPatches(scattered()); }
+
+TEST(exitsRanks, patchesThatCountAsNearer) { expectTheWholeMeshsPatches(blocks(), scalarList({2, 1, 2, 2, 1, 2})); }
 
 } // End anonymous namespace

@@ -16,6 +16,23 @@ namespace Foam
 namespace nscdCoupling
 {
 
+namespace
+{
+
+/// Walls hold grains, exits do not: who is out near both has left by the exit, unless the wall is less than half as far.
+scalarList exitsFirst(const PatchRoles& roles)
+{
+    scalarList weights(roles.role.size(), 2.0);
+    forAll(weights, patch)
+    {
+        if (roles.role[patch] == PatchRole::exit) weights[patch] = 1.0;
+    }
+    return weights;
+}
+
+} // namespace
+
+
 ExitedGrains findExited
 (
     const nscd::Grains& grains, const labelUList& cells, const polyMesh& mesh, const PatchRoles& roles, const ::nscd::RankTree* tree
@@ -30,7 +47,7 @@ ExitedGrains findExited
         positions.append(toFoam(grains.position[i]));
     }
     if (!returnReduce(!positions.empty(), orOp<bool>())) return exited;
-    exited.patches = nearestPatches(mesh, positions, tree);
+    exited.patches = nearestPatches(mesh, positions, tree, exitsFirst(roles));
     const labelList& patches = exited.patches;
     forAll(patches, k)
     {
@@ -49,21 +66,21 @@ ExitedGrains findExited
 }
 
 
-labelList nearestPatches(const polyMesh& mesh, const pointField& positions, const ::nscd::RankTree* tree)
+labelList nearestPatches(const polyMesh& mesh, const pointField& positions, const ::nscd::RankTree* tree, const scalarList& weights)
 {
     labelList patches;
     if (!tree)
     {
         for (const point& x : positions)
         {
-            const label face = nearestBorder(mesh, x).face;
+            const label face = nearestBorder(mesh, x, weights).face;
             patches.append(face < 0 ? -1 : mesh.boundaryMesh().whichPatch(face));
         }
         return patches;
     }
     std::vector<::nscd::Vec3> points;
     for (const point& x : positions) points.push_back(toVec3(x));
-    for (const BorderOfRanks& nearest : nearestBorders(mesh, points, *tree)) patches.append(nearest.patch);
+    for (const BorderOfRanks& nearest : nearestBorders(mesh, points, *tree, weights)) patches.append(nearest.patch);
     return patches;
 }
 

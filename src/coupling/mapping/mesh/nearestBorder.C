@@ -28,9 +28,9 @@ struct Answer
     label index;  ///< of the point, there
 };
 
-BorderOfRanks nearestHere(const polyMesh& mesh, const point& position)
+BorderOfRanks nearestHere(const polyMesh& mesh, const point& position, const scalarList& weights)
 {
-    const BorderFace nearest = nearestBorder(mesh, position);
+    const BorderFace nearest = nearestBorder(mesh, position, weights);
     if (nearest.face < 0) return BorderOfRanks();
     return {nearest.distance, mesh.boundaryMesh().whichPatch(nearest.face), Pstream::myProcNo(), mesh.faceOwner()[nearest.face]};
 }
@@ -52,14 +52,14 @@ Eigen::AlignedBox3d boxOfBorder(const polyMesh& mesh, scalar reach)
 void askWithin
 (
     const polyMesh& mesh, scalar reach, const std::vector<Vec3>& points, const labelList& indices, const ::nscd::RankTree& tree,
-    std::vector<BorderOfRanks>& nearest
+    const scalarList& weights, std::vector<BorderOfRanks>& nearest
 )
 {
     std::vector<Answer> answers;
     std::vector<int> askers;
     for (const ::nscd::RoutedPoint& asked : ::nscd::routePoints(tree, points, boxOfBorder(mesh, reach)))
     {
-        answers.push_back({nearestHere(mesh, point(asked.position[0], asked.position[1], asked.position[2])), asked.index});
+        answers.push_back({nearestHere(mesh, point(asked.position[0], asked.position[1], asked.position[2]), weights), asked.index});
         askers.push_back(asked.origin);
     }
     for (const Answer& answer : ::nscd::valuesOf<Answer>(tree.all().exchange(::nscd::messagesByRank(answers, askers))))
@@ -96,15 +96,16 @@ bool isBorder(const polyPatch& patch)
 }
 
 
-BorderFace nearestBorder(const polyMesh& mesh, const point& position)
+BorderFace nearestBorder(const polyMesh& mesh, const point& position, const scalarList& weights)
 {
     BorderFace nearest;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (!isBorder(patch)) continue;
+        const scalar weight = weights.empty() ? 1 : weights[patch.index()];
         forAll(patch, k)
         {
-            const scalar distance = patch[k].nearestPoint(position, mesh.points()).distance();
+            const scalar distance = weight*patch[k].nearestPoint(position, mesh.points()).distance();
             if (distance < nearest.distance) nearest = {distance, patch.start() + k};
         }
     }
@@ -113,7 +114,10 @@ BorderFace nearestBorder(const polyMesh& mesh, const point& position)
 
 
 // Asks farther and farther ranks, until each point has a face that is nearer than all that were not asked.
-std::vector<BorderOfRanks> nearestBorders(const polyMesh& mesh, const std::vector<Vec3>& points, const ::nscd::RankTree& tree)
+std::vector<BorderOfRanks> nearestBorders
+(
+    const polyMesh& mesh, const std::vector<Vec3>& points, const ::nscd::RankTree& tree, const scalarList& weights
+)
 {
     const ::nscd::Communicator& ranks = tree.all();
     std::vector<BorderOfRanks> nearest(points.size());
@@ -131,7 +135,7 @@ std::vector<BorderOfRanks> nearestBorders(const polyMesh& mesh, const std::vecto
         }
         unsure = scalar(asked.size());
         ranks.sum(&unsure, 1);
-        if (unsure > 0) askWithin(mesh, reach, asked, indices, tree, nearest);
+        if (unsure > 0) askWithin(mesh, reach, asked, indices, tree, weights, nearest);
     }
     return nearest;
 }
