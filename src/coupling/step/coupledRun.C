@@ -255,7 +255,7 @@ void CoupledRun::settleDebts()
     }
     ranks_.exchange()->sum(got.data(), 3);
     ranks_.exchange()->sum(sizes, 3);
-    const scalar scale = std::max(sizes[1] > 0 ? sizes[1] : sizes[0], VSMALL);
+    const scalar scale = std::max({sizes[0], sizes[1], double(VSMALL)});
     step_.momentumError = (deltaT*toVec3(immersion_->fluid->forceOnGrains()) - got).norm()/scale;
     step_.momentumDebt = sizes[2]/scale;
 }

@@ -40,6 +40,10 @@ double readPacking(const CheckedEntries& given, const Surroundings& around)
 {
     if (around.shape.dimensions == 3 && around.shape.emptyAxis >= 0) given.reject("packing", "is not for spheres in a plane", "number, mass or solidFraction");
     const CheckedEntries inside(given.sub("packing"));
+    for (const char* loose : {"number", "mass"})
+    {
+        if (inside.found(loose)) inside.reject(loose, "is of loose grains, and stands in the place of packing", "packing { solidFraction 0.6; }");
+    }
     const double fraction = inside.number("solidFraction", Range{0, nscd::densestPacking(around.shape.dimensions), false, true});
     inside.finish();
     return fraction;
