@@ -144,7 +144,7 @@ TEST(contactStressRanks, isThatOfOneRank)
     const ::nscd::MpiExchange exchange;
     GrainHomes homes(mesh.part(), exchange.tree(), findHomeIn(mesh.part()));
     GrainsAtHome atHome(exchange.tree());
-    atHome.update(own, homes.update(own));
+    atHome.update(own, homes.update(own), MappedBodies());
     const StressOf here(mesh.part(), own, contacts, looseDict("exact"), atHome, &exchange.tree().all());
 
     const SerialSection serial;

@@ -209,7 +209,7 @@ TEST(grainFieldsRanks, areThoseOfOneRank)
         const ::nscd::MpiExchange exchange;
         GrainHomes homes(mesh.part(), exchange.tree(), findHomeIn(mesh.part()));
         GrainsAtHome atHome(exchange.tree());
-        atHome.update(own, homes.update(own));
+        atHome.update(own, homes.update(own), MappedBodies());
         const dictionary dict = mappingDict("exact", smoothed, 0.5);
         const FieldsOf here(mesh.part(), own, dict, atHome);
 

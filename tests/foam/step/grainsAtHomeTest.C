@@ -105,7 +105,7 @@ TEST(grainsAtHomeRanks, getTheirValuesAndSendThemBack)
     OwnedAnywhere grains(blocks());
     const std::vector<CellHome> homes = grains.homes.update(grains.own);
     GrainsAtHome atHome(grains.exchange.tree());
-    atHome.update(grains.own, homes);
+    atHome.update(grains.own, homes, MappedBodies());
 
     // Who is there, in which cell, and how large.
     const ::nscd::Grains& here = atHome.grains();
