@@ -62,6 +62,7 @@ void keepFaceVelocity(FluidFields& fields, const volScalarField& fluidFraction)
     velocity.ref() += normal*(fields.phi/mesh.magSf() - (normal & velocity()));
     if (fields.faceVelocity.valid()) fields.faceVelocity() = velocity;
     else fields.faceVelocity.reset(new surfaceVectorField("faceVelocity", velocity));
+    fields.faceVelocity().oldTime() = fields.faceVelocity();   // made within the step: what it begins with
 }
 
 
