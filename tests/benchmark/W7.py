@@ -9,8 +9,7 @@ from pathlib import Path
 from foamFiles import setEntry
 from pinnedRun import pinned
 from results import BUILD, Table, pyplot, savePicture
-from foamCase import BoxCase, CaseFolder
-from randomBeds import randomGrains, solidFraction
+from randomBeds import HeldBed, randomGrains
 
 HERE = Path(__file__).resolve().parent
 D, U, RHO, MU = 1e-3, 1e-2, 1000.0, 1e-3
@@ -18,33 +17,13 @@ SIDE, HEIGHT, FREE = 6, 16, 8      # of the bed, and free above and below it [d]
 LOW, HIGH = 5, 11                  # between which the gradient is taken [d]
 CELLS = (3, 2, 1.5, 1, 0.75, 0.5, 0.375)
 STEPS = 100
-CENTERS = randomGrains(0.33, SIDE, HEIGHT)
+BED = HeldBed(randomGrains(0.33, SIDE, HEIGHT), SIDE, HEIGHT, FREE, D)
+EXACT = BED.ergun(U, RHO, MU, LOW, HIGH)
+CASES = BUILD/"cases/W7"
 
 
-def ergun(phi):
-    return 150*phi**2*MU*U/((1 - phi)**3*D**2) + 1.75*phi*RHO*U**2/((1 - phi)**3*D)
-
-
-EXACT = ergun(solidFraction(CENTERS, SIDE, LOW, HIGH))
-
-
-def box(name, cell):
-    layers = round((HEIGHT + 2*FREE)/cell)
-    case = BoxCase(BUILD/"cases/W7"/name, (0, 0, -FREE*D), (SIDE*D, SIDE*D, (HEIGHT + FREE)*D), (round(SIDE/cell),)*2 + (layers,),
-                   {"zMin": "patch", "zMax": "patch"})
-    return case
-
-
-def gradient(pressure, cell):
-    """[Pa/m] between the two heights, linear between layers."""
-    perLayer = round(SIDE/cell)**2
-    layer = [sum(pressure[k:k + perLayer])/perLayer for k in range(0, len(pressure), perLayer)]
-
-    def at(z):
-        k, rest = divmod((z + FREE)/cell - 0.5, 1)
-        return layer[int(k)] + rest*(layer[int(k) + 1] - layer[int(k)])
-
-    return (at(LOW) - at(HIGH))/((HIGH - LOW)*D)
+def errorOf(pressure, cell):
+    return BED.gradient(pressure, cell, LOW, HIGH)/EXACT - 1
 
 
 def ours(cell, settings):
@@ -52,17 +31,11 @@ def ours(cell, settings):
     costs = []
     deltaT = 0.25*cell*D/U
     for steps in (1, STEPS):
-        case = box("ours", cell)
-        case.fluid(RHO, MU, (0, 0, 0), (0, 0, U), {"zMin": "type fixedValue; value uniform (0 0 %g);" % U, "zMax": "type zeroGradient;"},
-                   {"zMin": "type fixedFluxPressure; value uniform 0;"})
-        case.table([tuple(D*x for x in center) + (D,) for center in CENTERS])
-        case.grains("materials { glass { density 2500; } }\ncontacts { default { friction 0; } }\nmotion fixed;\n"
-                    "patches { zMin { type exit; } zMax { type exit; } }\nforces { drag { law Ergun; } }\n%s\n"
-                    "grains { type table; file grains.dat; }" % settings)
+        case = BED.case(CASES/"ours", cell, U, RHO, MU, settings)
         case.control(deltaT, steps*deltaT)
         case.call("blockMesh")
         costs.append(pinned("nscdDEMFoam", case.folder).cpu)
-    return gradient(case.fieldValues("p_rgh"), cell)/EXACT - 1, costs[1] - costs[0]
+    return errorOf(case.fieldValues("p_rgh"), cell), costs[1] - costs[0]
 
 
 FIELDS = {
@@ -71,12 +44,12 @@ FIELDS = {
 }
 
 
-def theirs(cell, settings):
+def theirs(cell):
     """DPMFoam's grains are held by their mass; where alpha.air is as low as it lets cells be, drag is what that makes of it."""
     costs = []
     deltaT = 0.25*cell*D/U
     for steps in (1, STEPS):
-        case = box("theirs", cell)
+        case = BED.box(CASES/"theirs", cell)
         folder = Path(case.folder)
         for part in ("constant/turbulenceProperties.air", "constant/transportProperties", "constant/kinematicCloudProperties", "system/fvSolution", "system/fvSchemes"):
             shutil.copy(HERE/"DPMFoam"/part, folder/part)
@@ -90,22 +63,24 @@ def theirs(cell, settings):
             assert before in cloud, before
             cloud = cloud.replace(before, after)
         (folder/"constant/kinematicCloudProperties").write_text(cloud)
-        centers = "".join("(%.17g %.17g %.17g)\n" % tuple(D*x for x in center) for center in CENTERS)
+        centers = "".join("(%.17g %.17g %.17g)\n" % tuple(D*x for x in center) for center in BED.centers)
         case.write("constant/kinematicCloudPositions", "(\n" + centers + ")", "vectorField")
         for name, (kind, dimensions, value, sides) in FIELDS.items():
             case.field(name, kind, dimensions, value, {"cyclic": "type cyclic;", "patch": ""}, sides)
         case.call("blockMesh")
         costs.append(pinned("DPMFoam", case.folder).cpu)
-    return gradient([RHO*p for p in CaseFolder(folder).fieldValues("p")], cell)/EXACT - 1, costs[1] - costs[0]
+    return errorOf([RHO*p for p in case.fieldValues("p")], cell), costs[1] - costs[0]
 
 
-CODES = {"nscdDEMFoam": (ours, ""), "nscdDEMFoam, filterWidth 0": (ours, "voidFraction { filterWidth 0; }"), "DPMFoam": (theirs, "")}
+CODES = {
+    "nscdDEMFoam": lambda cell: ours(cell, ""), "nscdDEMFoam, filterWidth 0": lambda cell: ours(cell, "voidFraction { filterWidth 0; }"), "DPMFoam": theirs
+}
 
 
 def measure(table):
     for cell in CELLS:
-        for code, (simulate, settings) in CODES.items():
-            error, seconds = simulate(cell, settings)
+        for code, simulate in CODES.items():
+            error, seconds = simulate(cell)
             table.add(code, cell, 100*error, seconds)
 
 

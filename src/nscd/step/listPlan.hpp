@@ -20,12 +20,13 @@ struct ListPlan
 /// `velocity`: of each grain [m/s]; `diameter`: mean [m].
 ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity, double diameter, double deltaT);
 
-/// `margin`: what deviations from the mean, or speeds, may be exceeded by [-].
 /// For grains that fly together, first of all: each moves with the mean velocity, give or take how much faster it is than that, or all are in the
 /// mean (rms), since any may be hit. Pairs through a periodic side that the flow crosses several times a step are else listed for each of its images.
+/// `margin`: what deviations from the mean may be exceeded by [-].
 ListPlan planAroundMean(const std::vector<Vec3>& velocity, const Vec3& mean, double rms, double time, double margin);
 
 /// For grains as fast as each is, or as `common` [m/s]: a slow grain may be hit, and be as fast as the others at the end of a step.
+/// `margin`: what speeds may be exceeded by [-].
 ListPlan planBySpeeds(const std::vector<Vec3>& velocity, double common, double time, double margin);
 
 } // namespace nscd

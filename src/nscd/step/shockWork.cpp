@@ -4,8 +4,6 @@
 // The energy account of a shock.
 #include "nscd/step/shockWork.hpp"
 
-#include "nscd/step/shockImpulses.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -120,11 +118,11 @@ double limitRebound(ContactList& list, const std::vector<Body>& freeBodies, cons
     return share;
 }
 
-void reboundOfMotion(ContactList& list, const std::vector<Body>& freeBodies, Shock inelastic)
+void reboundOfMotion(ContactList& list, const std::vector<Body>& freeBodies, const Shock& inelastic)
 {
-    swapImpulses(list, inelastic.impulses, inelastic.ofLaws);
+    setFree(list, freeBodies);
+    moveBetween(list, inelastic, 0.0);
     const double e = meanRestitution(list);
-    swapImpulses(list, inelastic.impulses, inelastic.ofLaws);
     setFree(list, freeBodies);
     moveBetween(list, inelastic, -e);
 }

@@ -41,6 +41,6 @@ double limitRebound(ContactList& list, const std::vector<Body>& freeBodies, cons
 /// Equation: r = (1 + e) r_i, v = v_i + e (v_i - v^-), i the solution without restitution, e the mean of the contacts that rebound, weighted by r_i,n.
 ///           u_n = -e u_n^- on contacts that r_i loads, |r_t| <= mu r_n on all; what sticks rebounds along the surface too. Since r_i.u_i <= 0,
 ///           the work is at most -(1 - e^2) r_i.W r_i/2.
-void reboundOfMotion(ContactList& list, const std::vector<Body>& freeBodies, Shock inelastic);
+void reboundOfMotion(ContactList& list, const std::vector<Body>& freeBodies, const Shock& inelastic);
 
 } // namespace nscd

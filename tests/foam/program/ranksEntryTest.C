@@ -3,7 +3,7 @@
 //
 // Tests of nscdDEMFoam on 2 to 4 ranks with grains that enter: the same as on one rank, and restarts on the same and on other numbers.
 #include "caseTools.H"
-#include "programCase.H"
+#include "rankRuns.H"
 
 #include <algorithm>
 #include <cmath>
@@ -26,17 +26,6 @@ const std::string control = "writeFormat binary; deltaT 2e-3; ";
 const char* const counts[] = {"grains", "exited", "entered", "enteredMass", "waiting", "waitingMass"};
 
 Files coupled() { return {{"constant/grainProperties", glass + sources}, {"system/fvSolution", solutionWith(8)}}; }
-
-/// Values of a column over runs that continue one another.
-std::vector<double> joined(const ProgramCase& c, const std::vector<std::string>& starts, const std::string& column)
-{
-    std::vector<double> values;
-    for (const std::string& start : starts)
-    {
-        for (const double value : c.reported(start, column)) values.push_back(value);
-    }
-    return values;
-}
 
 void expectSameCounts(const ProgramCase& alone, const ProgramCase& together, const std::vector<std::string>& starts = {"0"})
 {
@@ -105,22 +94,8 @@ TEST(Ranks, letInTheGrainsThatOneRankLetsInAtPatchesAndInZones)
 TEST(Ranks, goOnLettingGrainsInToTheBit)
 {
     const ProgramCase whole(coupled(), control + "writeInterval 10; endTime 0.04;"), parts(coupled(), control + "writeInterval 10; endTime 0.02;");
-    for (const ProgramCase* c : {&whole, &parts})
-    {
-        EXPECT_TRUE(succeeds(c->decompose(labelVector(1, 1, 3))));
-        EXPECT_TRUE(succeeds(c->runOn(3)));
-    }
-    parts.writeControl(control + "writeInterval 10; endTime 0.04;");
-    EXPECT_TRUE(succeeds(parts.runOn(3)));
-    for (label rank = 0; rank < 3; ++rank)
-    {
-        for (const char* file : {"U", "p_rgh", "alpha.fluid", "lagrangian/grains/position", "lagrangian/grains/U", "lagrangian/grains/origId"})
-        {
-            const std::string path = "processor" + std::to_string(rank) + "/0.04/" + file;
-            EXPECT_FALSE(whole.contents(path).empty()) << path;
-            EXPECT_TRUE(whole.contents(path) == parts.contents(path)) << path;
-        }
-    }
+    runWholeAndInParts(whole, parts, labelVector(1, 1, 3), control + "writeInterval 10; endTime 0.04;");
+    EXPECT_EQ(filesThatDiffer(whole, parts, 3, "0.04", {"U", "p_rgh", "alpha.fluid"}), std::vector<std::string>());
     expectSameCounts(whole, parts, {"0", "0.02"});
 }
 

@@ -4,6 +4,7 @@
 // Heat on 2 to 4 ranks: the same as on one, balanced, and restarts on the same and on other numbers.
 #include "caseTools.H"
 #include "heatCase.H"
+#include "rankRuns.H"
 
 #include <algorithm>
 #include <cmath>
@@ -69,22 +70,8 @@ TEST(Ranks, goOnWithHeatToTheBit)
 {
     const std::string control = "writeFormat binary; deltaT 2e-3; writeInterval 10; ";
     const ProgramCase whole(pouringFiles(), control + "endTime 0.04;"), parts(pouringFiles(), control + "endTime 0.02;");
-    for (const ProgramCase* c : {&whole, &parts})
-    {
-        EXPECT_TRUE(succeeds(c->decompose(labelVector(1, 1, 2))));
-        EXPECT_TRUE(succeeds(c->runOn(2)));
-    }
-    parts.writeControl(control + "endTime 0.04;");
-    EXPECT_TRUE(succeeds(parts.runOn(2)));
-    for (const char* rank : {"processor0", "processor1"})
-    {
-        for (const char* file : {"T", "lagrangian/grains/T", "lagrangian/grains/origId"})
-        {
-            const std::string path = std::string(rank) + "/0.04/" + file;
-            EXPECT_FALSE(whole.contents(path).empty()) << path;
-            EXPECT_TRUE(whole.contents(path) == parts.contents(path)) << path;
-        }
-    }
+    runWholeAndInParts(whole, parts, labelVector(1, 1, 2), control + "endTime 0.04;");
+    EXPECT_EQ(filesThatDiffer(whole, parts, 2, "0.04", {"T", "lagrangian/grains/T"}), std::vector<std::string>());
 }
 
 TEST(Ranks, goOnWithHeatOnAnotherNumber)

@@ -8,7 +8,7 @@ D, SPEED, RHO, MU = 1e-3, 0.01, 1000, 1e-3
 SIDE, HEIGHT, CELLS = 5e-3, 0.03, (2, 2, 16)
 LOOSE = 0.25          # solid fraction of the suspension
 PACKED = 0.5          # a layer of cells above this is part of the cake
-TIMES = ("0.9", "1.2")   # when the cake is 7 and 10 diameters high; one of 5, at 0.6 s, has no inner part to speak of (12 % off)
+TIMES = ("0.9", "1.2")   # when the cake is 7 and 10 diameters high; one of 5, at 0.6 s, has no inner part to speak of (10 and 13 % off)
 
 
 def run(folder, stretching):

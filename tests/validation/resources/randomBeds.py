@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
-"""Beds of equal grains at random places, in diameters, periodic sideways."""
+"""Beds of equal grains at random places, in diameters, periodic sideways, and water or air that flows up through them."""
 
 import math
 import random
+
+from foamCase import BoxCase
 
 
 def distance2(a, b, side):
@@ -25,3 +27,43 @@ def solidFraction(centers, side, low, high, slices=2000):
     """Between two heights."""
     heights = [low + (k + 0.5)*(high - low)/slices for k in range(slices)]
     return sum(math.pi*max(0, 0.25 - (z - c[2])**2) for z in heights for c in centers)/slices/side**2
+
+
+class HeldBed:
+    """Where a bed is: width and height of the bed, and free height below and above it [d]; diameter [m]."""
+
+    def __init__(self, centers, side, height, free, d):
+        self.centers, self.side, self.height, self.free, self.d = centers, side, height, free, d
+
+    def box(self, folder, cell):
+        """A mesh of cells of that many diameters, open below and above."""
+        layers = round((self.height + 2*self.free)/cell)
+        return BoxCase(folder, (0, 0, -self.free*self.d), (self.side*self.d, self.side*self.d, (self.height + self.free)*self.d),
+                       (round(self.side/cell),)*2 + (layers,), {"zMin": "patch", "zMax": "patch"})
+
+    def case(self, folder, cell, U, rho, mu, settings):
+        """A case of nscdDEMFoam with the grains held, drag by Ergun's law, and more settings; without a time step."""
+        case = self.box(folder, cell)
+        case.fluid(rho, mu, (0, 0, 0), (0, 0, U), {"zMin": "type fixedValue; value uniform (0 0 %g);" % U, "zMax": "type zeroGradient;"},
+                   {"zMin": "type fixedFluxPressure; value uniform 0;"})
+        case.table([tuple(self.d*x for x in center) + (self.d,) for center in self.centers])
+        case.grains("materials { glass { density 2500; } }\ncontacts { default { friction 0; } }\nmotion fixed;\n"
+                    "patches { zMin { type exit; } zMax { type exit; } }\nforces { drag { law Ergun; } }\n%s\n"
+                    "grains { type table; file grains.dat; }" % settings)
+        return case
+
+    def gradient(self, pressure, cell, low, high):
+        """Of the pressure in cells, between two heights [d], linear between layers [Pa/m]."""
+        perLayer = round(self.side/cell)**2
+        layer = [sum(pressure[k:k + perLayer])/perLayer for k in range(0, len(pressure), perLayer)]
+
+        def at(z):
+            k, rest = divmod((z + self.free)/cell - 0.5, 1)
+            return layer[int(k)] + rest*(layer[int(k) + 1] - layer[int(k)])
+
+        return (at(low) - at(high))/((high - low)*self.d)
+
+    def ergun(self, U, rho, mu, low, high):
+        """Ergun's pressure gradient at the solid fraction between two heights [Pa/m]."""
+        phi = solidFraction(self.centers, self.side, low, high)
+        return 150*phi**2*mu*U/((1 - phi)**3*self.d**2) + 1.75*phi*rho*U**2/((1 - phi)**3*self.d)

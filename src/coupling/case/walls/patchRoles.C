@@ -6,10 +6,10 @@
 #include "coupling/case/walls/patchRegion.H"
 #include "coupling/case/walls/patchRoles.H"
 #include "coupling/case/walls/zoneRegion.H"
+#include "coupling/mapping/mesh/nearestBorder.H"
 
 #include "SubField.H"
 #include "Time.H"
-#include "cyclicAMIPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
@@ -37,9 +37,6 @@ bool isWallByType(const polyPatch& patch)
     return isA<wallPolyPatch>(patch) || isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch);
 }
 
-/// Between halves of a mesh that move past each other.
-bool isSliding(const polyPatch& patch) { return isA<cyclicAMIPolyPatch>(patch); }
-
 bool mayTakeRule(const polyPatch& patch)
 {
     return isWallByType(patch) || !polyPatch::constraintType(patch.type());
@@ -50,7 +47,7 @@ void refuseUnknownKinds(const polyMesh& mesh)
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         const bool isParallel = isA<processorPolyPatch>(patch);
-        const bool isKnown = mayTakeRule(patch) || isA<emptyPolyPatch>(patch) || patch.type() == cyclicPolyPatch::typeName || isSliding(patch);
+        const bool isKnown = mayTakeRule(patch) || isA<emptyPolyPatch>(patch) || patch.type() == cyclicPolyPatch::typeName || isBetweenHalves(patch);
         if (isKnown || (isParallel && Pstream::parRun())) continue;
         fail
         ({
@@ -111,7 +108,7 @@ labelList patchSizes(const polyMesh& mesh)
 
 PatchRole roleByType(const polyPatch& patch, bool isVoid, bool hasGrains)
 {
-    if (isA<processorPolyPatch>(patch) || isSliding(patch)) return PatchRole::unused;
+    if (isA<processorPolyPatch>(patch) || isBetweenHalves(patch)) return PatchRole::unused;
     if (isA<emptyPolyPatch>(patch)) return PatchRole::empty;
     if (isA<cyclicPolyPatch>(patch)) return PatchRole::periodic;
     if (isWallByType(patch)) return PatchRole::wall;
@@ -123,7 +120,7 @@ void checkComplete(const GrainProperties& properties, const polyMesh& mesh, cons
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         const label patchi = patch.index();
-        if (sizes[patchi] == 0 || !properties.hasAnySource() || isA<processorPolyPatch>(patch) || isSliding(patch)) continue;
+        if (sizes[patchi] == 0 || !properties.hasAnySource() || isA<processorPolyPatch>(patch) || isBetweenHalves(patch)) continue;
         if (roles.role[patchi] == PatchRole::unused)
         {
             fail
