@@ -109,6 +109,14 @@ inline Vec3 normal(const ContactList& list, std::size_t slot)
     return Vec3(block.n[0][lane], block.n[1][lane], block.n[2][lane]);
 }
 
+/// Slots of the blocks that can matter in this step: all contacts that are closed, may close, or carry an impulse. visit(slot)
+template<class Visit>
+void forEachAwakeSlot(const ContactList& list, const Visit& visit)
+{
+    for (std::size_t k : list.awake)
+    for (std::size_t slot = k*blockLanes; slot < (k + 1)*blockLanes; ++slot) visit(slot);
+}
+
 /// What the search needs to know of the scene.
 struct Scene
 {

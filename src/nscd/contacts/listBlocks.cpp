@@ -25,7 +25,7 @@ template<class Element>
 void makeRoom(std::vector<Element>& array, std::size_t number)
 {
     if (array.capacity() >= number) return;
-    const std::size_t more = array.capacity() > 0 ? number/32 : 0;
+    const std::size_t more = array.capacity() > 0 ? number/8 : 0;
     array = std::vector<Element>();
     array.reserve(number + more);
 }

@@ -230,9 +230,11 @@ OverlapStatistics measureOverlap(const ContactList& list)
 bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, double threshold, double deadBand)
 {
     bool anyRebound = false;
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    // Open contacts have no say in a shock: the next step's gap rule keeps them apart.
+    for (ContactBlock& block : list.blocks) std::fill_n(block.bias, blockLanes, unreachable);
+    forEachAwakeSlot(list, [&](std::size_t slot)
     {
-        if (!list.isUsed(slot)) continue;
+        if (!list.isUsed(slot)) return;
         ContactBlock& block = list.blocks[slot/blockLanes];
         const int lane = slot % blockLanes;
         const Vec3 n = normal(list, slot);
@@ -242,10 +244,9 @@ bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, 
         // Newton's law holds for closed contacts that part in the free motion too (u_n >= -e u_n^- < 0): only then does e = 1
         // keep the energy, r.(u + u^-) = 0 contact by contact. What parts in truth has r = 0.
         const bool isRebounding = isClosed && list.restitution[slot] > 0.0 && std::abs(approach) > threshold;
-        // Open contacts have no say in a shock: the next step's gap rule keeps them apart.
         block.bias[lane] = isRebounding ? -list.restitution[slot]*approach : isClosed ? 0.0 : unreachable;
         anyRebound = anyRebound || isRebounding;
-    }
+    });
     return list.halo.any(anyRebound);
 }
 

@@ -15,8 +15,8 @@ namespace nscd
 void GrainDynamics::Implementation::rebound(const ExternalForces& external, SolveReport& report)
 {
     const auto timer = times.time(GrainPart::rebound);
-    Shock inelastic;
-    inelastic.impulses = shockImpulses.release();
+    Shock inelastic = shockImpulses.release();
+    inelastic.blocks = list.awake;
     inelastic.bodies = list.bodies;
     inelastic.general = list.general.bodies;
     setFreeVelocities(list, grains, external, deltaT, sleep);
@@ -28,7 +28,8 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
 
     ContactProblem problem = makeProblem(external.speedScale);
     problem.times = nullptr;   // all of it is the rebound
-    gatherImpulses(list.blocks, {nullptr, list.blocks.size()}, inelastic.impulses);
+    problem.isAllAwake = true;
+    gatherImpulses(list.blocks, {inelastic.blocks.data(), inelastic.blocks.size()}, inelastic.impulses);
     inelastic.ofLaws.clear();
     for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) inelastic.ofLaws.push_back(list.laws.impulses(slot));
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
@@ -40,7 +41,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     {
         report = together(shock, report);
         // A shock goes through everything that touches: once more, with nobody asleep.
-        swapImpulses(list, inelastic.impulses, inelastic.ofLaws);
+        swapImpulses(list, inelastic);
         awakePart.giveBack(list, forcesOnBodies());
         giveUpSleep();
         prepareSolve(external);
@@ -55,7 +56,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     giveToGrains(forcesOnBodies(), list.grainOf, forces);
     if (sleep.any()) shockImpulses.keep(awakePart.impulses(list));
     // The next step starts from the impulses of the motion, not from those of the shock.
-    swapImpulses(list, inelastic.impulses, inelastic.ofLaws);
+    swapImpulses(list, inelastic);
     if (!sleep.any()) shockImpulses.keep(std::move(inelastic));
 }
 

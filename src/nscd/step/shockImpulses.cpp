@@ -11,20 +11,22 @@ namespace nscd
 
 void ShockImpulses::clear()
 {
-    impulses_.clear();
-    ofLaws_.clear();
+    shock_.blocks.clear();
+    shock_.impulses.clear();
+    shock_.ofLaws.clear();
     ofPart_.clear();
 }
 
 void ShockImpulses::keep(Shock shock)
 {
-    impulses_ = std::move(shock.impulses);
-    ofLaws_ = std::move(shock.ofLaws);
+    shock_ = std::move(shock);
+    shock_.bodies = std::vector<Body>();
+    shock_.general = std::vector<GeneralBody>();
 }
 
 void ShockImpulses::swapWith(ContactList& whole)
 {
-    swapImpulses(whole, impulses_, ofLaws_);
+    swapImpulses(whole, shock_);
     for (AwakePart::Impulse& entry : ofPart_)
     {
         const Vec3 r = impulse(whole, entry.slot);
@@ -36,16 +38,20 @@ void ShockImpulses::swapWith(ContactList& whole)
     }
 }
 
-void swapImpulses(ContactList& list, std::vector<double>& impulses, std::vector<LawImpulses>& ofLaws)
+void swapImpulses(ContactList& list, Shock& shock)
 {
     constexpr std::ptrdiff_t values = 3*blockLanes;
-    auto from = impulses.begin();
-    for (std::size_t k = 0; from != impulses.end(); ++k, from += values) std::swap_ranges(from, from + values, &list.blocks[k].r[0][0]);
-    for (std::size_t slot = 0; slot < ofLaws.size(); ++slot)
+    auto from = shock.impulses.begin();
+    for (std::uint32_t k : shock.blocks)
+    {
+        std::swap_ranges(from, from + values, &list.blocks[k].r[0][0]);
+        from += values;
+    }
+    for (std::size_t slot = 0; slot < shock.ofLaws.size(); ++slot)
     {
         const LawImpulses before = list.laws.impulses(slot);
-        list.laws.setImpulses(slot, ofLaws[slot]);
-        ofLaws[slot] = before;
+        list.laws.setImpulses(slot, shock.ofLaws[slot]);
+        shock.ofLaws[slot] = before;
     }
 }
 

@@ -18,8 +18,8 @@ class ShockImpulses
 public:
     void clear();
     /// Memory of the last step's, for the next to be gathered in.
-    std::vector<double> release() { return std::move(impulses_); }
-    /// Of all slots of the list of all contacts, which stay where they are until a list is built.
+    Shock release() { return std::move(shock_); }
+    /// Of slots of the list of all contacts, which stay where they are until a list is built. Velocities are not kept.
     void keep(Shock shock);
     /// Of the slots that a part of the list has, by their numbers in the whole.
     void keep(std::vector<AwakePart::Impulse> ofPart) { ofPart_ = std::move(ofPart); }
@@ -27,12 +27,11 @@ public:
     void swapWith(ContactList& whole);
 
 private:
-    std::vector<double> impulses_;
-    std::vector<LawImpulses> ofLaws_;
+    Shock shock_;
     std::vector<AwakePart::Impulse> ofPart_;
 };
 
 /// Changes the impulses of a shock for those of the list.
-void swapImpulses(ContactList& list, std::vector<double>& impulses, std::vector<LawImpulses>& ofLaws);
+void swapImpulses(ContactList& list, Shock& shock);
 
 } // namespace nscd

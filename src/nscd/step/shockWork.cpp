@@ -40,9 +40,9 @@ void moveBetween(ContactList& list, const Shock& target, double share)
         }
     }
     constexpr std::size_t values = 3*blockLanes;
-    for (std::size_t k = 0; k < values*list.blocks.size(); ++k)
+    for (std::size_t k = 0; k < values*target.blocks.size(); ++k)
     {
-        auto& r = (&list.blocks[k/values].r[0][0])[k % values];
+        auto& r = (&list.blocks[target.blocks[k/values]].r[0][0])[k % values];
         r = target.impulses[k] + share*(r - target.impulses[k]);
     }
     for (std::size_t slot = 0; slot < target.ofLaws.size(); ++slot)
@@ -63,7 +63,7 @@ void setFree(ContactList& list, const std::vector<Body>& freeBodies)
         body.v = body.freeV;
         body.omega = body.freeOmega;
     }
-    for (ContactBlock& block : list.blocks) std::fill_n(&block.r[0][0], 3*blockLanes, 0.0);
+    for (std::uint32_t k : list.awake) std::fill_n(&list.blocks[k].r[0][0], 3*blockLanes, 0.0);
     for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) list.laws.setImpulses(slot, noLawImpulses());
 }
 
@@ -71,13 +71,13 @@ void setFree(ContactList& list, const std::vector<Body>& freeBodies)
 double meanRestitution(const ContactList& list)
 {
     double sums[2] = {0.0, 0.0};
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    forEachAwakeSlot(list, [&](std::size_t slot)
     {
         const bool isRebounding = list.blocks[slot/blockLanes].bias[slot % blockLanes] < 0.0;
         const double pressure = isRebounding ? std::max(0.0, impulse(list, slot).dot(normal(list, slot))) : 0.0;
         sums[0] += pressure*list.restitution[slot];
         sums[1] += pressure;
-    }
+    });
     list.halo.sum(sums, 2);
     return sums[1] > 0.0 ? sums[0]/sums[1] : 0.0;
 }
@@ -88,10 +88,10 @@ ShockWork shockWork(const ContactList& list, const std::vector<Body>& freeBodies
 {
     constexpr double roundOff = 1e-13;
     double sums[3] = {0.0, 0.0, 0.0};  // work, its size, squared impulses
-    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    forEachAwakeSlot(list, [&](std::size_t slot)
     {
         const Vec3 r = impulse(list, slot);
-        if (r == Vec3::Zero()) continue;
+        if (r == Vec3::Zero()) return;
         const ContactBlock& block = list.blocks[slot/blockLanes];
         const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
         const Vec3 n = normal(list, slot);
@@ -99,7 +99,7 @@ ShockWork shockWork(const ContactList& list, const std::vector<Body>& freeBodies
         sums[0] += 0.5*r.dot(before + after);
         sums[1] += 0.5*r.norm()*(before.norm() + after.norm());
         sums[2] += r.squaredNorm();
-    }
+    });
     list.halo.sum(sums, 3);
     return {sums[0], residual*std::sqrt(sums[2]) + roundOff*sums[1]};
 }

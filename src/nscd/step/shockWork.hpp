@@ -20,7 +20,8 @@ struct ShockWork
 struct Shock
 {
     std::vector<Body> bodies;
-    AndersonAcceleration::Impulses impulses;
+    std::vector<std::uint32_t> blocks;         ///< of the list, those that may carry impulses
+    AndersonAcceleration::Impulses impulses;   ///< of these blocks
     std::vector<LawImpulses> ofLaws;   ///< empty where no law keeps any
     std::vector<GeneralBody> general;
 };

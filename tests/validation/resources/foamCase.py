@@ -65,21 +65,17 @@ class CaseFolder:
         return readList(os.path.join(self.folder, time or self.times()[-1], name))
 
 
-class BoxCase(CaseFolder):
-    """A box of cells; `patches` gives each side's type: cyclic, wall, patch, symmetry or empty (default: cyclic)."""
+class WrittenCase(CaseFolder):
+    """A case that is written anew and run, on a mesh of its own `system/blockMeshDict`."""
 
-    def __init__(self, folder, lower, upper, cells, patches=None, grading=(1, 1, 1)):
+    def __init__(self, folder):
         super().__init__(folder)
         self.remove()
         for part in ("0", "constant", "system"):
             os.makedirs(os.path.join(self.folder, part))
-        self.lower, self.upper, self.cells, self.grading = lower, upper, cells, grading
-        self.types = {side: "cyclic" for side in FACES}
-        self.types.update(patches or {})
         self.write("system/fvSchemes", SCHEMES)
         self.write("system/fvSolution", SOLUTION % (1e-13, 1e-14))
         self.write("constant/turbulenceProperties", "simulationType laminar;")
-        self.writeMesh()
 
     def remove(self):
         shutil.rmtree(self.folder, ignore_errors=True)
@@ -90,34 +86,8 @@ class BoxCase(CaseFolder):
         with open(os.path.join(self.folder, path), "w") as file:
             file.write(head + body + "\n")
 
-    def writeMesh(self):
-        lo, up = self.lower, self.upper
-        corners = [(lo[0], lo[1]), (up[0], lo[1]), (up[0], up[1]), (lo[0], up[1])]
-        vertices = " ".join(vec((x, y, z)) for z in (lo[2], up[2]) for x, y in corners)
-        sides = ""
-        for side, faces in FACES.items():
-            neighbor = "neighbourPatch %s; " % OPPOSITE[side] if self.types[side] == "cyclic" else ""
-            sides += "%s { type %s; %sfaces (%s); }\n" % (side, self.types[side], neighbor, faces)
-        self.write("system/blockMeshDict", "vertices (%s);\nblocks (hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (%s %s %s));\n"
-                   "boundary\n(\n%s);" % ((vertices,) + tuple(self.cells) + tuple(self.grading) + (sides,)))
-
-    def fluid(self, rho, mu, gravity=(0, 0, -9.81), U=(0, 0, 0), sides=None, pressureSides=None):
-        """Fields; `sides` and `pressureSides` give a boundary entry by side for U and p_rgh where the default is not meant."""
-        self.write("constant/transportProperties", "transportModel Newtonian; nu %.17g; rho %.17g;" % (mu/rho, rho))
-        self.gravity(gravity)
-        velocity = {"cyclic": "type cyclic;", "empty": "type empty;", "symmetry": "type symmetry;", "wall": "type noSlip;",
-                    "patch": "type zeroGradient;"}
-        pressure = {"cyclic": "type cyclic;", "empty": "type empty;", "symmetry": "type symmetry;",
-                    "wall": "type fixedFluxPressure; value uniform 0;", "patch": "type fixedValue; value uniform 0;"}
-        self.field("U", "volVectorField", "[0 1 -1 0 0 0 0]", vec(U), velocity, sides or {})
-        self.field("p_rgh", "volScalarField", "[1 -1 -2 0 0 0 0]", "0", pressure, pressureSides or {})
-
     def gravity(self, g):
         self.write("constant/g", "dimensions [0 1 -2 0 0 0 0]; value %s;" % vec(g), "uniformDimensionedVectorField")
-
-    def field(self, name, foamClass, dimensions, value, byType, bySide):
-        entries = "".join("%s { %s }\n" % (side, bySide.get(side, byType[self.types[side]])) for side in FACES)
-        self.write("0/" + name, "dimensions %s;\ninternalField uniform %s;\nboundaryField\n{\n%s}" % (dimensions, value, entries), foamClass)
 
     def grains(self, text):
         self.write("constant/grainProperties", text)
@@ -148,6 +118,43 @@ class BoxCase(CaseFolder):
             with open(log) as file:
                 sys.stdout.write("".join(file.readlines()[-25:]))
             sys.exit("%s failed in %s" % (program, self.folder))
+
+
+class BoxCase(WrittenCase):
+    """A box of cells; `patches` gives each side's type: cyclic, wall, patch, symmetry or empty (default: cyclic)."""
+
+    def __init__(self, folder, lower, upper, cells, patches=None, grading=(1, 1, 1)):
+        super().__init__(folder)
+        self.lower, self.upper, self.cells, self.grading = lower, upper, cells, grading
+        self.types = {side: "cyclic" for side in FACES}
+        self.types.update(patches or {})
+        self.writeMesh()
+
+    def writeMesh(self):
+        lo, up = self.lower, self.upper
+        corners = [(lo[0], lo[1]), (up[0], lo[1]), (up[0], up[1]), (lo[0], up[1])]
+        vertices = " ".join(vec((x, y, z)) for z in (lo[2], up[2]) for x, y in corners)
+        sides = ""
+        for side, faces in FACES.items():
+            neighbor = "neighbourPatch %s; " % OPPOSITE[side] if self.types[side] == "cyclic" else ""
+            sides += "%s { type %s; %sfaces (%s); }\n" % (side, self.types[side], neighbor, faces)
+        self.write("system/blockMeshDict", "vertices (%s);\nblocks (hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (%s %s %s));\n"
+                   "boundary\n(\n%s);" % ((vertices,) + tuple(self.cells) + tuple(self.grading) + (sides,)))
+
+    def fluid(self, rho, mu, gravity=(0, 0, -9.81), U=(0, 0, 0), sides=None, pressureSides=None):
+        """Fields; `sides` and `pressureSides` give a boundary entry by side for U and p_rgh where the default is not meant."""
+        self.write("constant/transportProperties", "transportModel Newtonian; nu %.17g; rho %.17g;" % (mu/rho, rho))
+        self.gravity(gravity)
+        velocity = {"cyclic": "type cyclic;", "empty": "type empty;", "symmetry": "type symmetry;", "wall": "type noSlip;",
+                    "patch": "type zeroGradient;"}
+        pressure = {"cyclic": "type cyclic;", "empty": "type empty;", "symmetry": "type symmetry;",
+                    "wall": "type fixedFluxPressure; value uniform 0;", "patch": "type fixedValue; value uniform 0;"}
+        self.field("U", "volVectorField", "[0 1 -1 0 0 0 0]", vec(U), velocity, sides or {})
+        self.field("p_rgh", "volScalarField", "[1 -1 -2 0 0 0 0]", "0", pressure, pressureSides or {})
+
+    def field(self, name, foamClass, dimensions, value, byType, bySide):
+        entries = "".join("%s { %s }\n" % (side, bySide.get(side, byType[self.types[side]])) for side in FACES)
+        self.write("0/" + name, "dimensions %s;\ninternalField uniform %s;\nboundaryField\n{\n%s}" % (dimensions, value, entries), foamClass)
 
 
 WIDTHS = {b"scalarField": "d", b"vectorField": "3d", b"labelField": "i", b"scalar": "d", b"vector": "3d"}

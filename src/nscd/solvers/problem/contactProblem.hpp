@@ -67,6 +67,8 @@ struct ContactProblem
     PackedContacts* packing = nullptr;
     /// In a packed problem what holds the contacts that are not in it; null: all are.
     ContactsLeftOut* leftOut = nullptr;
+    /// Nobody asks blocks that are not awake whether they should carry an impulse: the law lets none of them.
+    bool isAllAwake = false;
     /// Where looks at residuals are timed; null: within what is timed around them.
     StepTimes* times = nullptr;
 

@@ -170,6 +170,7 @@ TEST(ContactStep, closedContactsReboundWithNewtonsShareOfTheirApproach)
     nscd::ContactList list = listContacts(scene, 0.02);
     setVelocity(list, 0, Vec3(2, 0, 0));
     setVelocity(list, 2, Vec3(-1, 0, 0));
+    for (std::size_t k = 0; k < list.blocks.size(); ++k) list.awake.push_back(static_cast<std::uint32_t>(k));
     for (double threshold : {1.0, 3.0})
     {
         EXPECT_EQ(nscd::setRestitutionBias(list, list.bodies, threshold, 1e-3), threshold < 2.0);
