@@ -14,6 +14,8 @@
 #include "parallel/idDirectory.hpp"
 #include "parallel/rankTree.hpp"
 
+#include "fvcSurfaceIntegrate.H"
+
 #include <algorithm>
 #include <unordered_set>
 
@@ -28,6 +30,20 @@ namespace
 /// Mean cell over mean diameter, below which a stiff exchange of momentum was seen to grow (tests/benchmark/run coupledMap): not at 0.43,
 /// at 0.3.
 constexpr scalar smallCells = 0.43;
+
+/// Share of the momentum exchanged, above which the balance is looked into: runs that blew up began with 0.35 and more, ones with enough
+/// corrections with up to 0.15 (measured.md, "Viscosity across cells").
+constexpr scalar balanceIsOff = 0.2;
+
+/// How far viscosity reaches in a step, largest: the rest of a momentum equation's diagonal over its inertia. Collective.
+/// Equation: nu dt sum |Sf|/(delta V) = 2 nu dt (1/hx^2 + 1/hy^2 + 1/hz^2)
+scalar viscousReach(const FluidSolver& fluid)
+{
+    const fvMesh& mesh = fluid.U().mesh();
+    const volScalarField links(fvc::surfaceSum(mesh.magSf()*mesh.deltaCoeffs()));
+    const scalarField viscosity(fluid.nu()().primitiveField() + fluid.nut()().primitiveField());
+    return mesh.time().deltaTValue()*gMax((viscosity*links.primitiveField()/mesh.V().field())());
+}
 
 label pressureIterations(const fvMesh& mesh)
 {
@@ -169,6 +185,7 @@ FluidSummary CoupledRun::describeFluid() const
     summary.pressureIterations = pressureIterations(mesh_);
     summary.continuityError = immersion_->fluid->continuityError().largest*time_.deltaTValue();
     summary.fluidFractionMin = gMin(immersion_->sources.fluidFraction.primitiveField());
+    if (step_.momentumError > balanceIsOff) summary.viscousReach = viscousReach(*immersion_->fluid);
     if (feedsBack() && relativeCellSize_ < smallCells) summary.stepOverRelaxation = stepOverRelaxation(summary);
     return summary;
 }

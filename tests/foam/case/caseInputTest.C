@@ -107,6 +107,22 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_EQ(p.time.subCycles, 3);
 }
 
+/// A bed of discs leaves less between them than one of spheres does; what a case gives counts.
+TEST(GrainProperties, discsMayLeaveLessFluidInACell)
+{
+    input::Surroundings flat;
+    flat.shape.dimensions = 2;
+    flat.shape.emptyAxis = 2;
+    const auto least = [&](const input::Surroundings& around, const std::string& more)
+    {
+        return readGrainProperties(dictionaryOf(first + more), around).voidFraction.minFluidFraction;
+    };
+    EXPECT_EQ(least(flat, ""), 0.1);
+    EXPECT_EQ(least(flat, "shape sphere;"), 0.2);
+    EXPECT_EQ(least(flat, "voidFraction { minFluidFraction 0.25; }"), 0.25);
+    EXPECT_EQ(least(input::Surroundings(), ""), 0.2);
+}
+
 // Cells below 1.75 d are widened to 2 d; not where a case says how much to smooth, nor where nothing is read of the solid fraction.
 TEST(GrainProperties, smallCellsAreWidenedUnlessACaseSaysHowMuch)
 {

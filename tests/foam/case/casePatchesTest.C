@@ -84,6 +84,39 @@ TEST(BadPatches, wedgesAreRefused)
     EXPECT_TRUE(holds(text, {"front", "type that grains do not know", "value:   wedge", "symmetryPlane"}));
 }
 
+/// What is said of a box whose front and back are coupled patches of this type, with these entries.
+std::string aboutCoupled(const word& type, const std::string& entries)
+{
+    BoxMesh box;
+    fvMesh& mesh = box.mesh();
+    PtrList<polyPatch> patches(6);
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        const label side = patch.index();
+        dictionary dict = side < 4 ? dictionary() : dictionaryOf(entries);
+        dict.add("type", side < 4 ? patch.type() : type);
+        dict.add("nFaces", patch.size());
+        dict.add("startFace", patch.start());
+        if (side >= 4) dict.add("neighbourPatch", mesh.boundaryMesh()[side ^ 1].name());
+        patches.set(side, polyPatch::New(patch.name(), dict, side, mesh.boundaryMesh()));
+    }
+    mesh.removeFvBoundary();
+    mesh.addFvPatches(patches);
+    return complaint([&] { wallsOf(box); });
+}
+
+/// Grains pass an interface between halves that touch, and no other: they would leave the mesh by it.
+TEST(BadPatches, interfacesThatMoveWhatGoesThroughAreRefused)
+{
+    EXPECT_EQ(aboutCoupled("cyclicAMI", "transform noOrdering;"), "");
+    EXPECT_EQ(aboutCoupled("cyclicAMI", ""), "");
+    const std::string turned = aboutCoupled("cyclicAMI", "transform rotational; rotationAxis (0 0 1); rotationCentre (0 0 0); rotationAngle 90;");
+    EXPECT_TRUE(holds(turned, {"boundary", "front", "apart from its partner", "value:   rotational", "noOrdering", "cyclic"}));
+    EXPECT_TRUE(holds(aboutCoupled("cyclicAMI", "transform translational; separationVector (0 0 1);"), {"front", "value:   translational"}));
+    EXPECT_TRUE(holds(aboutCoupled("cyclicSlip", ""), {"front", "type that grains do not know", "value:   cyclicSlip"}));
+    EXPECT_TRUE(holds(aboutCoupled("cyclicPeriodicAMI", "periodicPatch left;"), {"front", "type that grains do not know", "value:   cyclicPeriodicAMI"}));
+}
+
 TEST(BadPatches, discsOnA3DMeshAreRefused)
 {
     BoxMesh box;

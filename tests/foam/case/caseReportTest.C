@@ -194,6 +194,7 @@ TEST(ProgressLog, countsWarningsInItsSummary)
         row.report.overlapUncorrected = 0.01*k;
         FluidSummary fluid;
         fluid.stepOverRelaxation = k > 2 ? 100*k : 9;
+        fluid.viscousReach = k > 3 ? 23 : 3;
         log.step(row, fluid);
     }
     log.finish(TimingTable(), ::nscd::StepTimes());
@@ -201,6 +202,7 @@ TEST(ProgressLog, countsWarningsInItsSummary)
     {
         "grains outside the mesh 3 steps, first at 0.5 s, worst 0.5 of the grains' volume",
         "stiff in small cells   2 steps, first at 0.75 s, worst 400 relaxation times a step",
+        "viscosity across cells 1 steps, first at 1 s, worst 23",
         "unlike masses          1 steps, first at 1 s, worst 1e+04 times as heavy",
         "before its correction 0.04 d"
     })) << os.str();

@@ -583,6 +583,19 @@ TEST(Program, saysWhatItDoesWithoutBeingAskedFor)
     EXPECT_EQ(ProgramCase().run().log.find("Note: weak"), std::string::npos);
 }
 
+/// A start in which viscosity reaches across eight cells: one correction of the pressure leaves the momentum balance open, eight do not.
+TEST(Program, warnsOfViscosityThatCorrectionsDoNotFollow)
+{
+    const auto warns = [](int correctors, const std::string& nu)
+    {
+        const Files files{{"constant/transportProperties", "transportModel Newtonian; rho 1000; nu " + nu + ";"}, {"system/fvSolution", solutionWith(correctors)}};
+        return ProgramCase(files, "endTime 1e-3; ").run().log.find("Warning: corrections of the pressure") != std::string::npos;
+    };
+    EXPECT_TRUE(warns(1, "40"));
+    EXPECT_FALSE(warns(8, "40"));
+    EXPECT_FALSE(warns(1, "1e-2"));
+}
+
 /// Half outside, where the mesh has no wall: what of its body is above the outlet, and the error that its whole volume inside is.
 TEST(Program, countsWhatOfAGrainIsOutsideTheMesh)
 {

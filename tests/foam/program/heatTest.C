@@ -231,6 +231,7 @@ TEST(BadHeat, ofFieldsAndSchemesIsToldBeforeTheFirstStep)
     };
     EXPECT_TRUE(refused("0/T", "", {"0/T"}));
     EXPECT_TRUE(refused("0/T", temperatureField("-1"), {"0/T", "internalField", "is out of range", "-1"}));
+    EXPECT_TRUE(refused("0/T", temperatureField("300", "0,5"), {"0/T", "front", "is out of range", "value:   0"}));
     EXPECT_TRUE(refused("0/T", with(temperatureField("300"), "[0 0 0 1", "[0 0 0 0"), {"0/T", "dimensions are wrong for T"}));
     EXPECT_TRUE(refused("system/fvSolution", solutionWith(2), {"fvSolution", "T"}));
 }

@@ -65,6 +65,9 @@ TEST(MovingMesh, refusesInWordsWhatDoesNotGoWithIt)
     Files turning = swinging();
     turning["constant/MRFProperties"] = "rotor { cellZone rotor; origin (0 0 0); axis (0 0 1); omega 2; }";
     EXPECT_TRUE(isRefused(ProgramCase(turning), {"constant/dynamicMeshDict", "rotating frame"}));
+    Files seldom = swinging();
+    seldom["constant/dynamicMeshDict"] += " updateControl timeStep; updateInterval 2;";
+    EXPECT_TRUE(isRefused(ProgramCase(seldom), {"constant/dynamicMeshDict", "updateInterval", "now and then", "every step"}));
     Files unnamed = swinging();
     unnamed["constant/dynamicMeshDict"] = "motionSolver solidBody;";
     EXPECT_TRUE(isRefused(ProgramCase(unnamed), {"constant/dynamicMeshDict", "dynamicFvMesh", "is missing"}));

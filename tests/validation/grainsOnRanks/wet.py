@@ -100,7 +100,7 @@ def depot(name, solver=""):
     case.write("system/fvSolution", ROUGH)
     case.fluid(WATER, 1e-3, (0, -G, 0))
     case.grains(properties(DENSITY, "friction 0.3;", "box (0 0.137 0) (0.16 0.2 0.005); count (24 10 1); diameter 5e-3; spread 0.1; jitter 0.5;",
-                           "forces { drag { law DiFelice; } } " + solver))
+                           "forces { drag { law DiFelice; } } voidFraction { minFluidFraction 0.2; } " + solver))
     case.control(DEPOT_DT, DEPOT_END, extra="writeFormat binary;")
     return case
 
@@ -139,7 +139,7 @@ def sameFractions(verdict, case):
     positions, diameters = byId(case, end, "position"), byId(case, end, "d")
     still = depot("fractions")
     still.table([positions[grain] + (diameters[grain],) for grain in sorted(positions)])
-    still.grains("materials { m { density %g; } } contacts { default { friction 0; } } motion fixed;\n"
+    still.grains("materials { m { density %g; } } contacts { default { friction 0; } } motion fixed; voidFraction { minFluidFraction 0.2; }\n"
                  "grains { type table; file \"grains.dat\"; }" % DENSITY)
     still.control(DEPOT_DT, DEPOT_DT)
     still.run()

@@ -57,7 +57,10 @@ void readPatches(const CheckedEntries& top, GrainProperties& properties, int emp
 }
 
 
-VoidFractionSettings readVoidFraction(const CheckedEntries& top)
+/// Discs at rest leave less between them than spheres, 0.16 of the area at random for 0.36 of the volume.
+constexpr scalar minFluidFractionOfDiscs = 0.1;
+
+VoidFractionSettings readVoidFraction(const CheckedEntries& top, const ::nscd::GrainShape& shape)
 {
     const input::Dictionary dict = top.subOrEmpty("voidFraction");
     const CheckedEntries given(dict);
@@ -69,6 +72,7 @@ VoidFractionSettings readVoidFraction(const CheckedEntries& top)
     {
         fail({given.place("filterWidth"), "says how much to smooth, as `diffusion` does beside it", messageText(*settings.filterWidth), "0 for one of the two"});
     }
+    if (shape.dimensions == 2) settings.minFluidFraction = minFluidFractionOfDiscs;
     settings.minFluidFraction = given.number("minFluidFraction", input::within(0, 1), settings.minFluidFraction);
     given.finish();
     return settings;
@@ -147,7 +151,7 @@ void readCoupling(const CheckedEntries& top, const input::Surroundings& around, 
     properties.holdsMeanFlow = top.found("meanFlow");
     properties.meanFlowPlace = top.place("meanFlow");
     properties.meanFlow = toFoam(top.vec("meanFlow", input::unit::velocity, nscd::Vec3::Zero()));
-    properties.voidFraction = readVoidFraction(top);
+    properties.voidFraction = readVoidFraction(top, around.shape);
     // Nothing is read of the solid fraction then.
     if (!properties.hasFeedback && !properties.voidFraction.filterWidth) properties.voidFraction.filterWidth = 0;
     properties.forces = readForces(top, around);

@@ -61,11 +61,18 @@ const WarningRow warningRows[] =
         [](const StepRow&, const FluidSummary& f) { return f.stepOverRelaxation; }, 10, "relaxation times a step"
     },
     {
+        "Warning", "viscosity across cells",
+        "corrections of the pressure do not follow viscosity that reaches across several cells in a step: momentum is lost, and may grow without end "
+        "(as in pimpleFoam). Take more nCorrectors (PIMPLE in fvSolution), or a smaller deltaT; nOuterCorrectors do not help",
+        [](const StepRow&, const FluidSummary& f) { return f.viscousReach; }, 4, "of 2 nu dt (1/hx^2 + 1/hy^2 + 1/hz^2)"
+    },
+    {
         "Note", "momentum owed", "grains took other momentum from the fluid than it was told: half of what they owe is repaid in each step",
         [](const StepRow&, const FluidSummary& f) { return f.owedShare; }, 0.01, "of what grains received"
     },
     {
-        "Note", "volume moved", "cells are fuller than minFluidFraction allows: what is too much in them is moved to neighboring ones",
+        "Note", "volume moved", "cells are fuller than minFluidFraction allows: what is too much in them is moved to neighboring ones. "
+        "Where a bed at rest has that in every step, take a smaller one (voidFraction)",
         [](const StepRow& r, const FluidSummary&) { return r.volumeMoved; }, 0, "m3"
     },
     {

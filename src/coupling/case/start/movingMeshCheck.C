@@ -28,6 +28,16 @@ IOdictionary dynamicMeshDict(const Time& time)
     return IOdictionary(IOobject("dynamicMeshDict", time.constant(), time, IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
 }
 
+/// OpenFOAM's mesh that moves now and then keeps the flux of its last motion meanwhile, and walls would have that velocity.
+void refuseUpdatesNowAndThen(const dictionary& dict)
+{
+    const word control = "updateControl", interval = "updateInterval";
+    const bool isInSteps = dict.getOrDefault<word>(control, "timeStep") == "timeStep";
+    if (!isInSteps) fail({placeOf(dict, control), "moves the mesh now and then", dict.get<word>(control), "none, for a mesh that moves in every step"});
+    const scalar steps = dict.getOrDefault<scalar>(interval, 1);
+    if (steps > 1) fail({placeOf(dict, interval), "moves the mesh now and then", Foam::name(steps), "1, for a mesh that moves in every step"});
+}
+
 } // namespace
 
 
@@ -47,6 +57,7 @@ void checkMovingMesh(const GrainProperties& properties, const polyMesh& mesh)
     {
         fail({placeOf(dict, keyword), "moves the mesh, " + problem, dict.get<word>(keyword), still + ", or " + allowed});
     };
+    refuseUpdatesNowAndThen(dict);
     if (properties.heat) refuse("on which temperatures are not followed", "no `heat`");
     if (properties.holdsMeanFlow) refuse("on which a mean flow is not held", "no `meanFlow`");
     if (properties.time.subCycles > 1) refuse("whose walls are known at the ends of the fluid's steps alone", "`subCycles 1`");

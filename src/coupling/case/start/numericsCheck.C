@@ -12,6 +12,7 @@
 #include "ddtScheme.H"
 #include "dimensionSets.H"
 #include "divScheme.H"
+#include "fixedValueFvPatchFields.H"
 #include "gradScheme.H"
 #include "laplacianScheme.H"
 #include "lduMatrix.H"
@@ -204,8 +205,13 @@ void checkFieldDimensions(const fvMesh& mesh)
 void checkTemperature(const fvMesh& mesh)
 {
     const volScalarField field = checkField<volScalarField>(mesh, "T", dimTemperature, "K");
-    const scalar least = gMin(field.primitiveField());
-    if (!(least > 0)) fail({placeOfLine(field.objectPath(), "internalField"), "is out of range", messageText(least), input::above(0).describe()});
+    const auto check = [&](const scalarField& values, const string& where)
+    {
+        const scalar least = gMin(values);
+        if (!(least > 0)) fail({placeOfLine(field.objectPath(), where), "is out of range", messageText(least), input::above(0).describe()});
+    };
+    check(field.primitiveField(), "internalField");
+    for (const fvPatchScalarField& patch : field.boundaryField()) if (isA<fixedValueFvPatchScalarField>(patch)) check(patch, patch.patch().name());
 }
 
 

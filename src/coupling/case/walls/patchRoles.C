@@ -10,6 +10,7 @@
 
 #include "SubField.H"
 #include "Time.H"
+#include "cyclicAMIPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "emptyPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
@@ -37,9 +38,10 @@ bool isWallByType(const polyPatch& patch)
     return isA<wallPolyPatch>(patch) || isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch);
 }
 
+/// Not all coupled patches are constraints to OpenFOAM: cyclicPeriodicAMI is none.
 bool mayTakeRule(const polyPatch& patch)
 {
-    return isWallByType(patch) || !polyPatch::constraintType(patch.type());
+    return isWallByType(patch) || !(polyPatch::constraintType(patch.type()) || isA<coupledPolyPatch>(patch));
 }
 
 void refuseUnknownKinds(const polyMesh& mesh)
@@ -47,13 +49,32 @@ void refuseUnknownKinds(const polyMesh& mesh)
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         const bool isParallel = isA<processorPolyPatch>(patch);
-        const bool isKnown = mayTakeRule(patch) || isA<emptyPolyPatch>(patch) || patch.type() == cyclicPolyPatch::typeName || isBetweenHalves(patch);
+        const bool isKnown = mayTakeRule(patch) || isA<emptyPolyPatch>(patch) || patch.type() == cyclicPolyPatch::typeName
+            || patch.type() == cyclicAMIPolyPatch::typeName;
         if (isKnown || (isParallel && Pstream::parRun())) continue;
         fail
         ({
             boundaryPlace(mesh, patch),
             isParallel ? "belongs to a part of a decomposed case: run the whole with -parallel" : "is of a type that grains do not know",
             patch.type(), "wall, symmetry, symmetryPlane, patch, cyclic, cyclicAMI, empty"
+        });
+    }
+}
+
+/// Halves that slide past each other touch: a grain that goes from one into the other stays where it is, and is not turned.
+void refuseHalvesApart(const polyMesh& mesh)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        const auto* half = isA<cyclicAMIPolyPatch>(patch);
+        if (!half) continue;
+        const auto transform = half->transform();
+        if (transform != coupledPolyPatch::ROTATIONAL && transform != coupledPolyPatch::TRANSLATIONAL) continue;
+        fail
+        ({
+            boundaryPlace(mesh, patch), "lies apart from its partner, and grains do not go from one to the other",
+            coupledPolyPatch::transformTypeNames[transform],
+            "`transform noOrdering` of halves that touch; periodic sides are of type cyclic, with faces alike and a translation along x, y or z"
         });
     }
 }
@@ -218,6 +239,7 @@ labelList PatchRoles::ofRole(PatchRole wanted) const
 PatchRoles assignPatchRoles(const GrainProperties& properties, const polyMesh& mesh)
 {
     refuseUnknownKinds(mesh);
+    refuseHalvesApart(mesh);
     const labelList sizes = patchSizes(mesh);
     PatchRoles roles;
     for (const polyPatch& patch : mesh.boundaryMesh())
