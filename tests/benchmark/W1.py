@@ -22,8 +22,8 @@ TIMES = [time for time, _ in PUBLISHED]
 RUNS = ((2e-3, 1e-2), (1e-3, 1e-1), (1e-3, 1e-2), (1e-3, 1e-3), (5e-4, 1e-2), (2.5e-4, 1e-2))     # time step, tolerance
 REFERENCE = (1e-4, 1e-3)
 MODULI = (1e6, 1e7, 1e8)
-COLUMNS = ["code", "knob", "deltaT", "errorPercent", "heightErrorPercent", "meanErrorPercent", "reachErrorPercent", "publishedErrorPercent", "steps",
-           "overlapMax", "seconds"]
+COLUMNS = ["code", "knob", "deltaT", "errorPercent", "seconds", "heightErrorPercent", "meanErrorPercent", "reachErrorPercent", "publishedErrorPercent",
+           "steps", "overlapMax"]
 
 
 def column():
@@ -72,8 +72,8 @@ def reference(scene):
 
 def addRow(table, code, knob, deltaT, run, best):
     figures, shapes = run
-    published = deviations(shapes, [values for _, values in PUBLISHED])[0]
-    table.add(code, knob, deltaT, *deviations(shapes, best), published, int(figures["steps"]), figures.get("overlapMax", math.nan), figures["seconds"])
+    published, (error, *each) = deviations(shapes, [values for _, values in PUBLISHED])[0], deviations(shapes, best)
+    table.add(code, knob, deltaT, error, figures["seconds"], *each, published, int(figures["steps"]), figures.get("overlapMax", math.nan))
 
 
 def measure(table, peers):

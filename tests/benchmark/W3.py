@@ -53,8 +53,8 @@ def inclined(grain, friction, t):
 
 
 def errors(case, scene, times, found):
-    """Largest error over grains and times of velocity, spin and distance, in shares of the grain's largest speed or distance; and by how much the
-    friction at which grains start to roll is missed, as far as the ladder tells."""
+    """Percent: largest error over grains and times of velocity, spin and distance, in shares of the grain's largest speed or distance; by how much the
+    friction at which grains start to roll is missed, as far as the ladder tells; the error of speeds, and of distances alone."""
     exact = sliding if case == "A05" else inclined
     speed, distance, threshold = 0.0, 0.0, 0.0
     for i, grain in enumerate(scene.grains):
@@ -68,12 +68,13 @@ def errors(case, scene, times, found):
         isRolling = abs(last[3] - last[7]*grain.radius) < ROLLING*last[3]
         if case == "A06" and isRolling != (friction >= CRITICAL):
             threshold = max(threshold, abs(friction/CRITICAL - 1))
-    return 100*max(speed, distance), 100*speed, 100*distance, 100*threshold
+    return 100*max(speed, distance), 100*threshold, 100*speed, 100*distance
 
 
 def addRow(table, case, code, knob, scene, deltaT, times, run):
     figures, found = run
-    table.add(case, code, knob, deltaT, *errors(case, scene, times, found), int(figures["steps"]), figures["seconds"])
+    error, *each = errors(case, scene, times, found)
+    table.add(case, code, knob, deltaT, error, figures["seconds"], *each, int(figures["steps"]))
 
 
 def measure(table, peers):
@@ -102,5 +103,5 @@ def draw(table):
 
 if __name__ == "__main__":
     there = installed("LIGGGHTS", "LIGGGHTS undamped", "LAMMPS")
-    draw(Table("W3", ["case", "code", "knob", "deltaT", "errorPercent", "speedErrorPercent", "distanceErrorPercent", "thresholdErrorPercent", "steps", "seconds"],
+    draw(Table("W3", ["case", "code", "knob", "deltaT", "errorPercent", "seconds", "thresholdErrorPercent", "speedErrorPercent", "distanceErrorPercent", "steps"],
                larger=("errorPercent", "thresholdErrorPercent", "seconds")).inRounds(lambda table: measure(table, there)))

@@ -26,7 +26,7 @@ inline std::vector<double> numbersOf(std::string words)
     return numbers;
 }
 
-/// Materials by number, each with its friction against walls and its own kind; the wall is the last.
+/// Materials by number, each with its friction against walls and all that come after it; the wall is the last.
 inline void setFriction(Scene& scene, const std::vector<double>& friction, double restitution)
 {
     scene.materials = nscd::Materials();
@@ -35,7 +35,7 @@ inline void setFriction(Scene& scene, const std::vector<double>& friction, doubl
     scene.materials.add("wall");
     for (int a = 0; a < wall; ++a)
     {
-        for (int b = 0; b <= wall; ++b) scene.materials.setPair(a, b, {friction[a], restitution});
+        for (int b = a; b <= wall; ++b) scene.materials.setPair(a, b, {friction[a], restitution});
     }
 }
 

@@ -35,7 +35,7 @@ class PlainScene:
     low: tuple
     high: tuple
     density: float = 2500.0
-    friction: tuple = (0.5,)        # of each material, against walls and its own kind
+    friction: tuple = (0.5,)        # of each material, against walls, its own kind and all that come after it
     restitution: float = 0.5
     gravity: tuple = (0.0, 0.0, -9.81)
     speed: float = 1.0
