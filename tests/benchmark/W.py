@@ -11,6 +11,7 @@ from pathlib import Path
 
 from results import LONGEST, RESULTS, SPDX, markdownRow, text
 
+NAME = "W"
 BARS = (10, 3, 1)       # percent
 # Columns of tables that do not have `case`, `code`, `errorPercent`: case, code, error and its factor to percent.
 OWN = {
@@ -31,7 +32,7 @@ def read(path):
 
 def scored(name, rows):
     """Case, code, error in percent and seconds of each run, medians over the rounds."""
-    case, codeOf, error, factor = OWN.get(name, ("case", lambda row: row["code"], "errorPercent", 1))
+    case, codeOf, error, factor = OWN.get(name, ("case" if rows and "case" in rows[0] else "scene", lambda row: row["code"], "errorPercent", 1))
     if not rows or error not in rows[0] or "seconds" not in rows[0]:
         return []
     rounds = {}
@@ -51,6 +52,10 @@ def times(runs):
     return [min((seconds for error, seconds in runs if error <= bar), default=None) for bar in BARS]
 
 
+def hasPeer(codes):
+    return any(not code.startswith("nscdDEMFoam") for code in codes)
+
+
 def isUseful(runs):
     return any(error == error for error, _ in runs)
 
@@ -65,7 +70,7 @@ def table(results):
             cells = []
             for k, value in enumerate(values):
                 best = min((other[k] for other in found.values() if other[k] is not None), default=None)
-                cells.append("never" if value is None else ("**%s**" if value == best and len(found) > 1 else "%s") % text(value))
+                cells.append("never" if value is None else ("**%s**" if value == best and hasPeer(found) else "%s") % text(value))
             lines.append((case, code, *cells, text(min(error for error, _ in codes[code] if error == error))))
     return lines
 
@@ -104,7 +109,7 @@ def main():
     lines += ["Measured:", ""]
     for origin in origins:
         lines += textwrap.wrap(origin, LONGEST, subsequent_indent="  ", break_on_hyphens=False)
-    (RESULTS/"W.md").write_text("\n".join(lines) + "\n")
+    (RESULTS/(NAME + ".md")).write_text("\n".join(lines) + "\n")
     print("\n".join(lines))
 
 

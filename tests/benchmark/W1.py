@@ -12,7 +12,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent/"peers"))
 from plainRuns import installed, ours, soft
 from plainScene import Grain, PlainScene, Plane, softStep
-from results import BUILD, ROOT, Table, pyplot, savePicture
+from results import BUILD, ROOT, Table, pyplot, roundsOr, savePicture
 
 COLUMN = ROOT/"tutorials/grains/columnCollapse/constant/column.dat"
 # Table A13: time, and of the published discs (Gerris' example `column`; Staron and Hinch 2005) height of the mass center, mean and 99 % distance.
@@ -104,4 +104,4 @@ def draw(table):
 
 if __name__ == "__main__":
     there = installed("LIGGGHTS", "LAMMPS")
-    draw(Table("W1", COLUMNS, larger=("errorPercent", "seconds")).inRounds(lambda table: measure(table, there), 1))
+    draw(Table("W1", COLUMNS, larger=("errorPercent", "seconds")).inRounds(lambda table: measure(table, there), roundsOr(1)))

@@ -14,7 +14,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent/"peers"))
 from plainRuns import installed, ours, soft
 from plainScene import Grain, PlainScene, Plane, softStep
-from results import BUILD, Table, pyplot, savePicture
+from results import BUILD, Table, pyplot, roundsOr, savePicture
 
 D, SPREAD, WIDTH, LAYERS, SETTLING = 2e-3, 0.1, 576, 40, 0.2       # d: WIDTH of the silo
 SLOTS = 4*(6, 8, 10, 12)       # d
@@ -124,4 +124,4 @@ def draw(table):
 
 if __name__ == "__main__":
     there = installed("LIGGGHTS")
-    draw(Table("W4", COLUMNS, larger=("seconds",)).inRounds(lambda table: measure(table, there), 1))
+    draw(Table("W4", COLUMNS, larger=("seconds",)).inRounds(lambda table: measure(table, there), roundsOr(1)))
