@@ -19,7 +19,7 @@ COLUMN = ROOT/"tutorials/grains/columnCollapse/constant/column.dat"
 PUBLISHED = ((0.1734, (0.23050, 0.07632, 0.2094)), (0.2496, (0.15250, 0.11484, 0.3207)), (0.3257, (0.09888, 0.17815, 0.4547)),
              (0.3993, (0.07293, 0.24615, 0.6004)), (0.5990, (0.04792, 0.37913, 0.9809)))
 TIMES = [time for time, _ in PUBLISHED]
-RUNS = ((2e-3, 1e-2), (1e-3, 1e-1), (1e-3, 1e-2), (1e-3, 1e-3), (5e-4, 1e-2), (2.5e-4, 1e-2))     # time step, tolerance
+RUNS = ((5e-3, 1e-1), (2e-3, 1e-1), (2e-3, 1e-2), (1e-3, 1e-1), (1e-3, 1e-2), (1e-3, 1e-3), (5e-4, 1e-2), (2.5e-4, 1e-2))     # time step, tolerance
 REFERENCE = (1e-4, 1e-3)
 MODULI = (1e6, 1e7, 1e8)
 COLUMNS = ["code", "knob", "deltaT", "errorPercent", "seconds", "heightErrorPercent", "meanErrorPercent", "reachErrorPercent", "publishedErrorPercent",

@@ -20,7 +20,8 @@ D, SPREAD, WIDTH, LAYERS, SETTLING = 2e-3, 0.1, 576, 40, 0.2       # d: WIDTH of
 SLOTS = 4*(6, 8, 10, 12)       # d
 FROM, EVERY, BLOCKS = 0.1, 0.025, 6         # s; the flow is that of all blocks, its scatter that between them
 TIMES = [FROM + EVERY*k for k in range(BLOCKS + 1)]
-RUNS = ((2e-3, 1e-2), (1e-3, 1e-1), (1e-3, 1e-2), (5e-4, 1e-2), (2.5e-4, 1e-2))        # time step, tolerance; the two last are extrapolated
+RUNS = ((2e-3, 1e-2), (1e-3, 1e-1), (5e-4, 1e-1), (2.5e-4, 1e-1), (1e-3, 1e-2), (5e-4, 1e-2), (2.5e-4, 1e-2))     # time step, tolerance; the two last
+# are extrapolated
 MODULI = (1e6, 1e7)
 COLUMNS = ["code", "knob", "deltaT", "seconds", "errorPercent", "errorToLiggghtsPercent", "flow", "standardError", "exponent", "steps", "overlapMax"]
 

@@ -13,6 +13,7 @@ from pinnedRun import CORE
 from plainScene import PEERS, restingDepth, softStep, writeData, writeOurs, writeSurface
 from results import BUILD, ROOT
 from softPeers import readDump
+from softRuns import ALONE
 
 PROGRAM = ROOT/"build/core/benchmark/dryWork"
 
@@ -64,7 +65,7 @@ def soft(peer, name, scene, modulus, times):
 def processorSeconds(program, folder, kind):
     with open(folder/(kind + ".screen"), "w") as screen:
         process = subprocess.Popen(["taskset", "-c", str(CORE), program, "-in", kind + ".in", "-log", kind + ".log"], cwd=folder,
-                                   stdin=subprocess.DEVNULL, stdout=screen, stderr=subprocess.STDOUT, env=dict(os.environ, OMP_NUM_THREADS="1"))
+                                   stdin=subprocess.DEVNULL, stdout=screen, stderr=subprocess.STDOUT, env=dict(os.environ, **ALONE))
         _, status, usage = os.wait4(process.pid, 0)
     if status != 0:
         raise SystemExit("%s failed: see %s" % (program, folder/(kind + ".screen")))

@@ -18,6 +18,10 @@ SETTLING = 0.03     # s, in which soft grains find their overlaps
 SKINS = {"bed": 0.1, "collapse": 0.2}   # d; the quickest of 0.03, 0.06, 0.1 and 0.2
 
 
+# One thread, and no daemon of MPI's beside the one process: on a busy machine that takes seconds of the processor to start, each time another number.
+ALONE = {"OMP_NUM_THREADS": "1", "OMPI_MCA_ess_singleton_isolated": "1"}
+
+
 def isInstalled(peer):
     return shutil.which(PEERS[peer][0]) is not None
 
@@ -29,7 +33,7 @@ def processorSeconds(peer, text, name, core):
     path.write_text(text)
     with open(FOLDER/(name + ".screen"), "w") as screen:
         process = subprocess.Popen(["taskset", "-c", str(core), program, "-in", path.name, "-screen", "none", "-log", name + ".log"],
-                                   cwd=FOLDER, stdout=screen, stderr=subprocess.STDOUT, env=dict(os.environ, OMP_NUM_THREADS="1"))
+                                   cwd=FOLDER, stdout=screen, stderr=subprocess.STDOUT, env=dict(os.environ, **ALONE))
         _, status, usage = os.wait4(process.pid, 0)
     if status != 0:
         raise SystemExit("%s failed: see %s" % (program, FOLDER/(name + ".log")))
