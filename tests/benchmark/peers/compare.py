@@ -21,7 +21,8 @@ MODULI = (5e6, 1e8)             # Pa
 GLASS = 5e10
 MOST_ITERATIONS = 20000
 OUR_STEPS, REST_STEPS = 10, 50
-PEER_SECONDS = {5e6: 6e-3, 1e8: 1e-3}       # s of motion in a window
+PEER_SECONDS = {5e6: 6e-3, 1e8: 1e-3}       # s of motion in a window of as many grains as this; longer where there are fewer, or start-up hides it
+MANY = 25230
 
 
 def arguments():
@@ -87,9 +88,10 @@ def peerRow(o, table, peer, modulus, scene, width, moment, restitution=RESTITUTI
     state = softRuns.FOLDER/(softRuns.name(peer, modulus, scene, moment, restitution) + ".restart")
     if not state.exists():
         return
-    count = softRuns.steps(PEER_SECONDS[modulus], modulus)
+    grains = softRuns.tableOf(peer, modulus, scene, moment, restitution)
+    count = softRuns.steps(PEER_SECONDS[modulus]*max(1, MANY/len(ourRuns.readTable(grains))), modulus)
     seconds = softRuns.timeWindow(peer, modulus, scene, width, moment, count, o.core, restitution=restitution)
-    figures = ourRuns.rows(ourRuns.call("figures", scene, o.bed, softRuns.tableOf(peer, modulus, scene, moment, restitution), core=o.core))[0]
+    figures = ourRuns.rows(ourRuns.call("figures", scene, o.bed, grains, core=o.core))[0]
     table.add(scene, peer, "%.0e" % modulus, restitution, moment*EVERY, timeStep(modulus), 1e3*seconds, seconds/timeStep(modulus), figures["overlapMax"],
               figures["overlapMean"])
 
