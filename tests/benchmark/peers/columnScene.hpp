@@ -17,10 +17,11 @@ namespace scenes
 
 /// Floor, walls and periods by name; no grains. bed: periodic along x and y. box: walls across x in place of the period there, a radius
 /// outside so that they hold the bed's grains as they lie. collapse: the box without its wall at the far end.
-inline Scene columnScene(const std::string& kind, double width, double depth)
+inline Scene columnScene(const std::string& kind, double width, double depth, double restitution = 0.0)
 {
     if (kind != "bed" && kind != "box" && kind != "collapse") throw std::invalid_argument("scene is bed, box or collapse, not " + kind);
     Scene scene = emptyBed(width, depth);
+    for (int a = 0; a < 2; ++a) scene.materials.setPair(0, a, {friction, restitution});
     if (kind == "bed") return scene;
     scene.box.length[0] = 0.0;
     scene.addPlane(Vec3(-radius, 0, 0), Vec3::UnitX());

@@ -13,7 +13,7 @@ import frozen
 import ourRuns
 from pinnedRun import CORE
 from results import ROOT, Table, bars, pyplot, savePicture
-from softPeers import PEERS, timeStep
+from softPeers import PEERS, RESTITUTION, timeStep
 
 BEDS = ROOT/"build/beds"
 EVERY = 0.05        # s between states of a collapse
@@ -21,7 +21,8 @@ MODULI = (5e6, 1e8)             # Pa
 GLASS = 5e10
 MOST_ITERATIONS = 20000
 OUR_STEPS, REST_STEPS = 10, 50
-PEER_SECONDS = {5e6: 6e-3, 1e8: 1e-3}       # s of motion in a window
+PEER_SECONDS = {5e6: 6e-3, 1e8: 1e-3}       # s of motion in a window of as many grains as this; longer where there are fewer, or start-up hides it
+MANY = 25230
 
 
 def arguments():
@@ -30,6 +31,7 @@ def arguments():
     parser.add_argument("--bed", type=Path, default=BEDS/"bed29x30.dat", help="settled bed of LIGGGHTS and LAMMPS (%(default)s)")
     parser.add_argument("--frozen", type=Path, default=BEDS/"bed20x25.dat", help="settled bed of Siconos (%(default)s)")
     parser.add_argument("--moments", type=int, nargs="+", default=[1, 2, 4, 6], help="of the collapse, in %g s, to time windows at; it is run to the last" % EVERY)
+    parser.add_argument("--restitution", type=float, nargs="+", default=[0.0], help="of the collapse (default: 0; the soft peers, which need some, then have %g)" % RESTITUTION)
     parser.add_argument("--reference", action="store_true", help="also make the reference run of the collapse: hours")
     parser.add_argument("--tolerances", type=float, nargs="+", default=[1e-2, 1e-3], help="of our frozen solves (default: 1e-2 1e-3)")
     parser.add_argument("--core", type=int, default=CORE, help="core all are pinned to (default: BENCHMARK_CORE, else 0)")
@@ -68,53 +70,61 @@ def prepare(o, peers):
     softRuns.FOLDER.mkdir(parents=True, exist_ok=True)
     periods, grains = settledBed(o.bed, o.core), ourRuns.settle(o.bed, o.core)
     for setting in ourRuns.SETTINGS:
-        if setting != "reference" or o.reference:
-            ourRuns.moveWhole(o.bed, setting, EVERY, max(o.moments), o.core)
+        for restitution in o.restitution if setting != "reference" or o.reference else ():
+            ourRuns.moveWhole(o.bed, setting, EVERY, max(o.moments), o.core, restitution)
     for peer in peers:
         for modulus in MODULI:
             softRuns.moveWhole(peer, modulus, "bed", grains["bed"], periods, EVERY, 0, o.core)
-            softRuns.moveWhole(peer, modulus, "collapse", grains["box"], periods, EVERY, max(o.moments), o.core)
+            for restitution in o.restitution:
+                softRuns.moveWhole(peer, modulus, "collapse", grains["box"], periods, EVERY, max(o.moments), o.core, softRestitution(restitution))
 
 
-def peerRow(o, table, peer, modulus, scene, width, moment):
-    state = softRuns.FOLDER/(softRuns.name(peer, modulus, scene, moment) + ".restart")
+def softRestitution(restitution):
+    """Soft grains that do not bounce at all would need a dashpot without end."""
+    return restitution or RESTITUTION
+
+
+def peerRow(o, table, peer, modulus, scene, width, moment, restitution=RESTITUTION):
+    state = softRuns.FOLDER/(softRuns.name(peer, modulus, scene, moment, restitution) + ".restart")
     if not state.exists():
         return
-    count = softRuns.steps(PEER_SECONDS[modulus], modulus)
-    seconds = softRuns.timeWindow(peer, modulus, scene, width, moment, count, o.core)
-    figures = ourRuns.rows(ourRuns.call("figures", scene, o.bed, softRuns.tableOf(peer, modulus, scene, moment), core=o.core))[0]
-    table.add(scene, peer, "%.0e" % modulus, moment*EVERY, timeStep(modulus), 1e3*seconds, seconds/timeStep(modulus), figures["overlapMax"],
+    grains = softRuns.tableOf(peer, modulus, scene, moment, restitution)
+    count = softRuns.steps(PEER_SECONDS[modulus]*max(1, MANY/len(ourRuns.readTable(grains))), modulus)
+    seconds = softRuns.timeWindow(peer, modulus, scene, width, moment, count, o.core, restitution=restitution)
+    figures = ourRuns.rows(ourRuns.call("figures", scene, o.bed, grains, core=o.core))[0]
+    table.add(scene, peer, "%.0e" % modulus, restitution, moment*EVERY, timeStep(modulus), 1e3*seconds, seconds/timeStep(modulus), figures["overlapMax"],
               figures["overlapMean"])
 
 
-def ourRow(table, scene, setting, moment, row):
+def ourRow(table, scene, setting, moment, row, restitution=0.0):
     deltaT = row["msPerStep"]*1e-3/row["secondsPerSecond"]
-    table.add(scene, "ours", setting, moment*EVERY, deltaT, row["msPerStep"], row["secondsPerSecond"],
+    table.add(scene, "ours", setting, restitution, moment*EVERY, deltaT, row["msPerStep"], row["secondsPerSecond"],
               max(row["overlapMax"], row["overlapMaxReported"]), row["overlapMean"])
 
 
-COLUMNS = ["scene", "program", "kind", "time", "deltaT", "msPerStep", "secondsPerSecond", "overlapMax", "overlapMean"]
+COLUMNS = ["scene", "program", "kind", "restitution", "time", "deltaT", "msPerStep", "secondsPerSecond", "overlapMax", "overlapMean"]
 COSTS = ("msPerStep", "secondsPerSecond", "overlapMax")
 
 
 def means(table, scene):
-    """Over the moments at which all were timed: program, kind, seconds per second, worst overlap."""
-    keys = list(dict.fromkeys((row[1], row[2]) for row in table.rows if row[0] == scene))
-    times = set.intersection(*(set(table.column("time", scene=scene, program=p, kind=k)) for p, k in keys))
+    """Over the moments at which all were timed: program, kind, restitution, seconds per second, worst overlap."""
+    keys = list(dict.fromkeys(row[1:4] for row in table.rows if row[0] == scene))
+    times = set.intersection(*(set(table.column("time", scene=scene, program=p, kind=k, restitution=e)) for p, k, e in keys))
     result = {}
-    for program, kind in keys:
-        chosen = [row for row in table.rows if row[:3] == (scene, program, kind) and row[3] in times]
-        result[program, kind] = (sum(row[6] for row in chosen)/len(chosen), max(row[7] for row in chosen))
+    for key in keys:
+        chosen = [row for row in table.rows if row[:4] == (scene, *key) and row[4] in times]
+        result[key] = (sum(row[7] for row in chosen)/len(chosen), max(row[8] for row in chosen))
     return result, sorted(times)
 
 
 def printRatios(table, scene):
     result, times = means(table, scene)
     print("%s: means at %s s" % (scene, ", ".join("%g" % time for time in times)))
-    for (program, kind), (seconds, overlap) in result.items():
-        line = "%-10s %-10s %8.1f s/s, worst overlap %.1e d" % (program, kind, seconds, overlap)
+    for (program, kind, restitution), (seconds, overlap) in result.items():
+        line = "%-10s %-10s e %-5g %8.1f s/s, worst overlap %.1e d" % (program, kind, restitution, seconds, overlap)
         if program != "ours":
-            fits = ["%.1f of '%s'" % (seconds/mine, k) for (p, k), (mine, depth) in result.items() if p == "ours" and (depth <= overlap or scene == "bed")]
+            fits = ["%.1f of '%s', e %g" % (seconds/mine, k, e) for (p, k, e), (mine, depth) in result.items()
+                    if p == "ours" and (scene == "bed" or depth <= overlap and softRestitution(e) == restitution)]
             line += "; times " + (", ".join(fits) or "none of ours with as little overlap")
         print(line)
 
@@ -129,13 +139,16 @@ def collapse(o, peers):
 
 def collapseWindows(table, o, peers, width):
     for moment in o.moments:
-        for setting, values in ourRuns.SETTINGS.items():
-            if setting != "reference" and ourRuns.fileOf(setting, moment).exists():
-                ourRow(table, "collapse", setting, moment,
-                       ourRuns.window("collapse", o.bed, ourRuns.fileOf(setting, moment), o.core, values, steps=OUR_STEPS))
-        for modulus in MODULI:
-            for peer in peers:
-                peerRow(o, table, peer, modulus, "collapse", width, moment)
+        for restitution in o.restitution:
+            for setting, values in ourRuns.SETTINGS.items():
+                state = ourRuns.fileOf(setting, moment, restitution)
+                if setting != "reference" and state.exists():
+                    ourRow(table, "collapse", setting, moment,
+                           ourRuns.window("collapse", o.bed, state, o.core, values, steps=OUR_STEPS, restitution=restitution), restitution)
+        for restitution in dict.fromkeys(map(softRestitution, o.restitution)):
+            for modulus in MODULI:
+                for peer in peers:
+                    peerRow(o, table, peer, modulus, "collapse", width, moment, restitution)
 
 
 def rest(o, peers):
@@ -203,9 +216,9 @@ def frozenProblem(o, peers):
 
 def draw(table, name):
     figure, axes = pyplot.subplots(figsize=(7, 4.5))
-    for key in dict.fromkeys((row[1], row[2]) for row in table.rows):
-        chosen = [row for row in table.rows if row[1:3] == key]
-        axes.loglog([row[7] for row in chosen], [row[6] for row in chosen], "o", label="%s, %s" % key)
+    for key in dict.fromkeys(row[1:4] for row in table.rows):
+        chosen = [row for row in table.rows if row[1:4] == key]
+        axes.loglog([row[8] for row in chosen], [row[7] for row in chosen], "o", label="%s, %s, e %g" % key)
     axes.set(xlabel="worst overlap [d]", ylabel="processor seconds per simulated second")
     axes.legend(fontsize=7)
     savePicture(figure, name)

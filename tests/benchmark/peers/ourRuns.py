@@ -48,16 +48,17 @@ def settle(bed, core):
     return {scene: readTable(FOLDER/(scene + ".grains")) for scene in ("bed", "box")}
 
 
-def fileOf(setting, moment=None):
-    return FOLDER/("ours.%s%s" % (setting.replace(" ", ""), ".csv" if moment is None else ".%d" % moment))
+def fileOf(setting, moment=None, restitution=0.0):
+    own = "" if restitution == 0 else ".e%g" % restitution
+    return FOLDER/("ours.%s%s%s" % (setting.replace(" ", ""), own, ".csv" if moment is None else ".%d" % moment))
 
 
-def moveWhole(bed, setting, every, moments, core):
+def moveWhole(bed, setting, every, moments, core, restitution=0.0):
     """The collapse in one go, a state and a row every so often; done once, and kept. Returns the rows."""
-    kept = fileOf(setting)
+    kept = fileOf(setting, None, restitution)
     if not kept.exists():
         text = call("run", "collapse", bed, FOLDER/"box.state", "time=%.9g" % (every*moments), "every=%.9g" % every,
-                    "out=%s" % str(fileOf(setting, 0))[:-1], *options(SETTINGS[setting]), core=core)
+                    "out=%s" % str(fileOf(setting, 0, restitution))[:-1], *options(dict(SETTINGS[setting], restitution=restitution)), core=core)
         kept.write_text(text)
     return rows(kept.read_text())
 

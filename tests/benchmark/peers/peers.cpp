@@ -32,7 +32,7 @@ Options read(int argc, char** argv, int first)
     Options options{{"deltaT", "1e-3"}, {"tolerance", std::to_string(s.tolerance)}, {"displacementTolerance", std::to_string(s.displacementTolerance)}, {"forceTolerance", std::to_string(s.forceTolerance)},
                     {"overlapTolerance", std::to_string(s.overlapTolerance)}, {"maxSweeps", std::to_string(s.maxSweeps)}, {"skin", std::to_string(s.skin)},
                     {"sleep", "0"}, {"steps", "20"}, {"warmUp", "2"}, {"time", "0.4"}, {"every", "0.01"}, {"out", ""}, {"solver", s.solver},
-                    {"vectorPath", s.vectorPath}, {"samples", "5"}, {"polishSweeps", std::to_string(s.polishSweeps)}};
+                    {"vectorPath", s.vectorPath}, {"samples", "5"}, {"restitution", "0"}, {"polishSweeps", std::to_string(s.polishSweeps)}};
     for (int k = first; k < argc; ++k)
     {
         const std::string word = argv[k];
@@ -68,10 +68,10 @@ struct Run
     nscd::GrainDynamics dynamics;
     double time;
 
-    Run(const std::string& kind, const TiledBed& bed, const nscd::SceneState& state, const nscd::ContactSettings& settings)
+    Run(const std::string& kind, const TiledBed& bed, const nscd::SceneState& state, const Options& options)
     :
-        scene(columnScene(kind, bed.width, bed.depth)),
-        dynamics(state.grains, scene.materials, scene.walls, scene.box, settings),
+        scene(columnScene(kind, bed.width, bed.depth, number(options, "restitution"))),
+        dynamics(state.grains, scene.materials, scene.walls, scene.box, settingsOf(options)),
         time(state.time)
     {
         if (state.lastDeltaT > 0.0) dynamics.restore(state.impulses, state.lastDeltaT);
@@ -215,7 +215,7 @@ int call(const std::string& what, int argc, char** argv)
     else if ((what == "run" || what == "window") && argc >= 5)
     {
         const Options o = read(argc, argv, 5);
-        Run run(argv[2], TiledBed(argv[3], 1, 1), nscd::readCheckpoint(argv[4]), settingsOf(o));
+        Run run(argv[2], TiledBed(argv[3], 1, 1), nscd::readCheckpoint(argv[4]), o);
         if (what == "run") runOn(run, o);
         else timeWindow(run, o);
     }

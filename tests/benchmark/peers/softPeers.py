@@ -39,12 +39,12 @@ def rebound(modulus, damping, speed):
     return -v/speed
 
 
-def lammpsDamping(modulus, speed=0.3):
-    """gamma_n that gives RESTITUTION at an impact of `speed` [m/s]: the law has none that holds at every speed."""
+def lammpsDamping(modulus, restitution=RESTITUTION, speed=0.3):
+    """gamma_n that gives this restitution at an impact of `speed` [m/s]: the law has none that holds at every speed."""
     low, high = 0.0, 1e3/timeStep(modulus)/RADIUS
     for _ in range(40):
         middle = 0.5*(low + high)
-        low, high = (middle, high) if rebound(modulus, middle, speed) > RESTITUTION else (low, middle)
+        low, high = (middle, high) if rebound(modulus, middle, speed) > restitution else (low, middle)
     return 0.5*(low + high)
 
 
@@ -70,7 +70,7 @@ def walls(scene, width):
     return sides
 
 
-def liggghts(start, scene, width, modulus, skin, commands):
+def liggghts(start, scene, width, modulus, skin, commands, restitution=RESTITUTION):
     """`start` reads a data file or a restart; skin in diameters."""
     # It refuses more than 1e9 Pa unless told that this is meant.
     hard = ["hard_particles yes"] if modulus > 1e9 else []
@@ -78,7 +78,7 @@ def liggghts(start, scene, width, modulus, skin, commands):
              "communicate single vel yes", "units si", start, "neighbor %.9g bin" % (skin*2*RADIUS), "neigh_modify delay 0",
              "fix m1 all property/global youngsModulus peratomtype %.9g" % modulus,
              "fix m2 all property/global poissonsRatio peratomtype %.9g" % POISSON,
-             "fix m3 all property/global coefficientRestitution peratomtypepair 1 %.9g" % RESTITUTION,
+             "fix m3 all property/global coefficientRestitution peratomtypepair 1 %.9g" % restitution,
              "fix m4 all property/global coefficientFriction peratomtypepair 1 %.9g" % FRICTION,
              "pair_style gran model hertz tangential history", "pair_coeff * *", "timestep %.9g" % timeStep(modulus),
              "fix gravity all gravity %.9g vector 0 0 -1" % GRAVITY]
@@ -89,10 +89,10 @@ def liggghts(start, scene, width, modulus, skin, commands):
     return "\n".join(lines + ["fix move all nve/sphere", "thermo_style custom step atoms ke cpu", "thermo 100000"] + commands) + "\n"
 
 
-def lammps(start, scene, width, modulus, skin, commands):
+def lammps(start, scene, width, modulus, skin, commands, restitution=RESTITUTION):
     kn = hertzStiffness(modulus)
     # kt/kn of Mindlin; damping half as large along the contact, the program's default.
-    law = "%.9g %.9g %.9g NULL %.9g 1" % (kn, kn*3*(1 - POISSON)/(2 - POISSON), lammpsDamping(modulus), FRICTION)
+    law = "%.9g %.9g %.9g NULL %.9g 1" % (kn, kn*3*(1 - POISSON)/(2 - POISSON), lammpsDamping(modulus, restitution), FRICTION)
     lines = ["atom_style sphere", "atom_modify map array", "boundary %s p f" % ("p" if scene == "bed" else "f"), "newton off",
              "comm_modify vel yes", "units si", start, "neighbor %.9g bin" % (skin*2*RADIUS), "neigh_modify delay 0 every 1 check yes",
              "pair_style gran/hertz/history " + law, "pair_coeff * *", "timestep %.9g" % timeStep(modulus),

@@ -11,11 +11,15 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from results import BUILD
-from softPeers import PEERS, dumpCommands, readDump, timeStep, writeData
+from softPeers import PEERS, RESTITUTION, dumpCommands, readDump, timeStep, writeData
 
 FOLDER = BUILD/"peers"
 SETTLING = 0.03     # s, in which soft grains find their overlaps
 SKINS = {"bed": 0.1, "collapse": 0.2}   # d; the quickest of 0.03, 0.06, 0.1 and 0.2
+
+
+# One thread, and no daemon of MPI's beside the one process: on a busy machine that takes seconds of the processor to start, each time another number.
+ALONE = {"OMP_NUM_THREADS": "1", "OMPI_MCA_ess_singleton_isolated": "1"}
 
 
 def isInstalled(peer):
@@ -29,34 +33,35 @@ def processorSeconds(peer, text, name, core):
     path.write_text(text)
     with open(FOLDER/(name + ".screen"), "w") as screen:
         process = subprocess.Popen(["taskset", "-c", str(core), program, "-in", path.name, "-screen", "none", "-log", name + ".log"],
-                                   cwd=FOLDER, stdout=screen, stderr=subprocess.STDOUT, env=dict(os.environ, OMP_NUM_THREADS="1"))
+                                   cwd=FOLDER, stdout=screen, stderr=subprocess.STDOUT, env=dict(os.environ, **ALONE))
         _, status, usage = os.wait4(process.pid, 0)
     if status != 0:
         raise SystemExit("%s failed: see %s" % (program, FOLDER/(name + ".log")))
     return usage.ru_utime + usage.ru_stime
 
 
-def name(peer, modulus, scene, moment=None):
-    return "%s.%.0e.%s" % (peer, modulus, scene) + ("" if moment is None else ".%d" % moment)
+def name(peer, modulus, scene, moment=None, restitution=RESTITUTION):
+    own = "" if restitution == RESTITUTION else ".e%g" % restitution
+    return "%s.%.0e.%s%s" % (peer, modulus, scene, own) + ("" if moment is None else ".%d" % moment)
 
 
 def steps(seconds, modulus):
     return max(1, round(seconds/timeStep(modulus)))
 
 
-def makeInput(peer, modulus, scene, width, start, commands, skin=None):
+def makeInput(peer, modulus, scene, width, start, commands, skin=None, restitution=RESTITUTION):
     skin = skin or SKINS["bed" if scene == "bed" else "collapse"]
-    return PEERS[peer][1](start, scene, width, modulus, skin, commands)
+    return PEERS[peer][1](start, scene, width, modulus, skin, commands, restitution)
 
 
 def saveCommands(prefix, moment):
     return ["write_restart %s.%d.restart" % (prefix, moment)] + dumpCommands("%s.%d.dump" % (prefix, moment))
 
 
-def moveWhole(peer, modulus, scene, grains, periods, every, moments, core):
+def moveWhole(peer, modulus, scene, grains, periods, every, moments, core, restitution=RESTITUTION):
     """From the grains at rest: settled (`moment` 0 of a bed; a box for a collapse), then so many times `every` seconds of motion.
     Returns processor seconds a second of motion; done once, and kept."""
-    prefix = name(peer, modulus, scene)
+    prefix = name(peer, modulus, scene, None, restitution)
     kept = FOLDER/(prefix + ".json")
     if kept.exists():
         return json.loads(kept.read_text())["secondsPerSecond"]
@@ -64,22 +69,23 @@ def moveWhole(peer, modulus, scene, grains, periods, every, moments, core):
     data = "%s.data" % prefix
     writeData(grains, periods, FOLDER/data, scene == "bed")
     settled = processorSeconds(peer, makeInput(peer, modulus, first, periods[0], "read_data " + data,
-                               ["run %d" % steps(SETTLING, modulus)] + saveCommands(prefix, 0)), prefix + ".settle", core)
+                               ["run %d" % steps(SETTLING, modulus)] + saveCommands(prefix, 0), restitution=restitution), prefix + ".settle", core)
     cost = settled/SETTLING
     if moments:
         commands = []
         for moment in range(1, moments + 1):
             commands += ["run %d" % steps(every, modulus)] + saveCommands(prefix, moment)
-        cost = processorSeconds(peer, makeInput(peer, modulus, scene, periods[0], "read_restart %s.0.restart" % prefix, commands),
+        cost = processorSeconds(peer, makeInput(peer, modulus, scene, periods[0], "read_restart %s.0.restart" % prefix, commands,
+                                                  restitution=restitution),
                                 prefix + ".run", core)/(moments*every)
     kept.write_text(json.dumps({"secondsPerSecond": cost}))
     return cost
 
 
-def timeWindow(peer, modulus, scene, width, moment, window, core, skin=None):
+def timeWindow(peer, modulus, scene, width, moment, window, core, skin=None, restitution=RESTITUTION):
     """Processor seconds a step from a restart, start-up subtracted."""
-    start = "read_restart %s.restart" % name(peer, modulus, scene, moment)
-    costs = [processorSeconds(peer, makeInput(peer, modulus, scene, width, start, ["run %d" % n], skin), "window", core) for n in (1, 1 + window)]
+    start = "read_restart %s.restart" % name(peer, modulus, scene, moment, restitution)
+    costs = [processorSeconds(peer, makeInput(peer, modulus, scene, width, start, ["run %d" % n], skin, restitution), "window", core) for n in (1, 1 + window)]
     return (costs[1] - costs[0])/window
 
 
@@ -91,9 +97,9 @@ def timeFromData(peer, modulus, scene, grains, periods, window, core):
     return (costs[1] - costs[0])/window
 
 
-def tableOf(peer, modulus, scene, moment):
+def tableOf(peer, modulus, scene, moment, restitution=RESTITUTION):
     """A snapshot as a table of grains, for `peers figures`; its path."""
-    dump = FOLDER/(name(peer, modulus, scene, moment) + ".dump")
+    dump = FOLDER/(name(peer, modulus, scene, moment, restitution) + ".dump")
     table = dump.with_suffix(".grains")
     with open(table, "w") as file:
         file.writelines("%.17g %.17g %.17g\n" % tuple(row[:3]) for row in readDump(dump))

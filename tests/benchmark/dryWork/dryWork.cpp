@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+//
+// Runs a dry scene that peers/plainScene.py wrote and leaves its grains at some times: our side of W1, W3, W4 and W12.
+// dryWork SCENE OUT TIMES [option=value ...]     TIMES t1,t2,... [s]; OUT.1, OUT.2, ...: rows x y z, velocity, spin
+// It prints one row of CSV; seconds are those of the steps, without reading and building.
+#include "benchmark/dryWork/plainScene.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+
+using namespace scenes;
+
+namespace
+{
+
+double processorTime() { return static_cast<double>(std::clock())/CLOCKS_PER_SEC; }
+
+/// What the steps took, and the worst of what they reported.
+struct Totals
+{
+    int steps = 0, capped = 0;
+    double seconds = 0.0, sweeps = 0.0, contacts = 0.0, overlapMax = 0.0, overlapMean = 0.0;
+
+    void step(nscd::GrainDynamics& dynamics, const Vec3& g, double deltaT)
+    {
+        const double start = processorTime();
+        const nscd::StepReport report = scenes::step(dynamics, g, deltaT);
+        seconds += processorTime() - start;
+        ++steps;
+        capped += !report.solve.converged;
+        sweeps += report.solve.sweeps;
+        contacts += static_cast<double>(report.solve.contacts);
+        overlapMax = std::max(overlapMax, report.overlapMax);
+        overlapMean = std::max(overlapMean, report.overlapMean);
+    }
+
+    void print() const
+    {
+        std::printf("steps,seconds,sweeps,contacts,capped,overlapMax,overlapMean\n%d,%.6f,%.3f,%.1f,%d,%.3e,%.3e\n", steps, seconds, sweeps/steps,
+                    contacts/steps, capped, overlapMax, overlapMean);
+    }
+};
+
+void writeGrains(const std::string& path, const nscd::Grains& grains)
+{
+    std::ofstream file(path);
+    file.precision(12);
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        file << grains.position[i].transpose() << " " << grains.velocity[i].transpose() << " " << grains.omega[i].transpose() << "\n";
+    }
+}
+
+/// From time to time in equal steps, as near to deltaT as they can be.
+void run(nscd::GrainDynamics& dynamics, const Vec3& g, const std::string& out, const std::vector<double>& times, const RunOptions& options)
+{
+    double time = 0.0;
+    for (int k = 0; k < options.warmUp; ++k) scenes::step(dynamics, g, options.deltaT);
+    Totals totals;
+    for (std::size_t k = 0; k < times.size(); ++k)
+    {
+        const int steps = std::max(1, static_cast<int>(std::lround((times[k] - time)/options.deltaT)));
+        for (int n = 0; n < steps; ++n) totals.step(dynamics, g, (times[k] - time)/steps);
+        time = times[k];
+        writeGrains(out + "." + std::to_string(k + 1), dynamics.grains());
+    }
+    totals.print();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try
+    {
+        if (argc < 4) throw std::invalid_argument("dryWork SCENE OUT TIMES [option=value ...]");
+        const Scene scene = readPlainScene(argv[1]);
+        const RunOptions options = readOptions(argc, argv, 4);
+        nscd::GrainDynamics dynamics = scene.build(options.contacts);
+        run(dynamics, scene.g, argv[2], numbersOf(argv[3]), options);
+        return 0;
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "dryWork: %s\n", error.what());
+        return 1;
+    }
+}
