@@ -163,7 +163,10 @@ TEST(GrainFields, ofGrainsThatMoveAlikeAreUniformAndCold)
             EXPECT_GE(fields.temperature()[cell], 0);
             EXPECT_LT(fields.temperature()[cell], 1e-13) << fields.density()[cell];
         }
-        if (smoothed > 0) EXPECT_LT(least, 1e-11*max(fields.density()));
+        if (smoothed > 0)
+        {
+            EXPECT_LT(least, 1e-11*max(fields.density()));
+        }
     }
 }
 
