@@ -11,7 +11,7 @@ that of a uniform suspension."""
 import math
 from collections import namedtuple
 
-from dpmfoamCase import copyParts, setFields, setGrains
+from dpmfoamCase import SOLUTION, copyParts, setFields, setGrains
 from pinnedRun import pinned
 from results import BUILD, Table, pyplot, savePicture
 from foamCase import BoxCase
@@ -27,17 +27,6 @@ SERIES = tuple(("nscdDEMFoam", scheme, mark) for scheme, mark in zip(SCHEMES, ("
 CELLS = (20, 16, 13, 10, 8, 5)         # along a side
 RATIOS = (.02, .05, .1, .2, .5, 1, 2)  # step over response time, of the start
 FALLING_RATIOS = (.3, 1, 3, 9)
-# Solvers as in OpenFOAM's tutorial of DPMFoam, which the folder DPMFoam has.
-SOLUTION = """
-solvers
-{
-    p_rgh { solver GAMG; smoother GaussSeidel; tolerance 1e-6; relTol 0.01; }
-    p_rghFinal { $p_rgh; relTol 0; }
-    "meanFlowPotential.*" { $p_rgh; relTol 0; }
-    "U.*" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-5; relTol 0; }
-}
-PIMPLE { nOuterCorrectors 1; nCorrectors 2; pRefCell 0; pRefValue 0; }
-"""
 
 
 def dragDensity(slip):

@@ -10,6 +10,17 @@ from foamFiles import setEntry
 
 HERE = Path(__file__).resolve().parent
 PARTS = ("constant/turbulenceProperties.air", "constant/transportProperties", "constant/kinematicCloudProperties", "system/fvSolution", "system/fvSchemes")
+# For nscdDEMFoam beside it: the same solvers.
+SOLUTION = """
+solvers
+{
+    p_rgh { solver GAMG; smoother GaussSeidel; tolerance 1e-6; relTol 0.01; }
+    p_rghFinal { $p_rgh; relTol 0; }
+    "meanFlowPotential.*" { $p_rgh; relTol 0; }
+    "U.*" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-5; relTol 0; }
+}
+PIMPLE { nOuterCorrectors 1; nCorrectors 2; pRefCell 0; pRefValue 0; }
+"""
 FLUX_PRESSURE = "type fixedFluxPressure; phi phi.air; value uniform 0;"
 
 

@@ -20,7 +20,7 @@ BUILD = ROOT/"build/benchmark"      # cases, states and logs
 RESULTS = Path(os.environ.get("BENCHMARK_RESULTS", ROOT/"tests/benchmark/results"))/machine()
 sys.path.insert(0, str(ROOT/"tests/validation/resources"))
 
-ROUNDS = 3
+ROUNDS = int(os.environ.get("BENCHMARK_ROUNDS", "3"))
 LONGEST = 120       # characters of a line of Markdown
 SPDX = ("SPDX-License-Identifier: GPL-3.0-or-later", "SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors")
 
