@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """W8: a bed of 2160 grains (C17, tutorials/coupled/rampFluidization) under an inflow of air that grows from 0.5 to 0.95 m/s in 0.45 s, from one packed
 state: error of the pressure drop, rms over the ramp and over the weight of the bed, and of the inflow that lifts it, against the code's own drag law
-on the solid fraction that the bed has at the start, up to the weight; rmse against sediFoam's pressure drops at five inflows (its law is
+on the solid fraction that the bed has at the start, up to the weight; rmse against sediFoam's pressure drops at three inflows (its law is
 SyamlalOBrien, its ramp 25 times slower); and run time, of nscdDEMFoam by time step and drag law and OpenFOAM's DPMFoam by time step and Young's
 modulus [Pa] (0: rigid).
 
@@ -25,9 +25,9 @@ G, D, DENSITY, RHO, MU = 9.8, 1.5e-3, 2000.0, 1.2, 1.8e-5
 BOX, CELLS = (0.04, 0.0075, 0.2), (16, 1, 80)
 AREA = BOX[0]*BOX[1]
 SLOWEST, RATE, END = 0.5, 1.0, 0.45     # inflow at the start [m/s], its growth [m/s2], time [s]
-FIRST = 0.53                           # inflow from which errors count [m/s]
+FIRST = 0.6                            # inflow from which errors count [m/s]: grains that are soft sink in until then
 # Xiao and Sun 2011, as sediFoam keeps it for its own test, on the way up: inflow [m/s], pressure drop [Pa].
-SEDIFOAM = ((0.528, 108.8), (0.616, 139.7), (0.741, 190.3), (0.824, 230.3))
+SEDIFOAM = ((0.616, 139.7), (0.741, 190.3), (0.824, 230.3))
 OURS = [("ErgunWenYu", dt) for dt in (1e-3, 3e-4, 1e-4)] + [("SyamlalOBrien", dt) for dt in (1e-3, 1e-4)]
 THEIRS = [(1e5, 1e-3), (1e6, 1e-3), (1e5, 1e-4)]
 
@@ -146,8 +146,8 @@ def lawsDrop(law, bed, U):
 
 
 def lift(inflow, p):
-    """Inflow at which the line of the resting bed, up to 0.8 of its weight, gets to the weight: quadratic in the inflow."""
-    rest = (inflow > FIRST) & (p < 0.8*WEIGHT) & (numpy.arange(len(p)) < numpy.argmax(p > 0.95*WEIGHT))
+    """Inflow at which the line of the resting bed, until it carries 0.8 of its weight, gets to the weight: quadratic in the inflow."""
+    rest = (inflow > FIRST) & (numpy.arange(len(p)) < numpy.argmax(p > 0.8*WEIGHT))
     a, b = numpy.linalg.lstsq(numpy.stack((inflow[rest], inflow[rest]**2), axis=1), p[rest], rcond=None)[0]
     return (-a + math.sqrt(a*a + 4*b*WEIGHT))/(2*b)
 
