@@ -144,7 +144,8 @@ def draw(table):
             errors = table.column("errorPercent", code=code, scene=scene, scheme=scheme)
             if errors:
                 axes[row][0].loglog(table.column(knob, code=code, scene=scene, scheme=scheme), errors, mark, label="%s, %s" % (code, scheme))
-                axes[row][1].loglog(table.column("seconds", code=code, scene=scene, scheme=scheme), errors, mark)
+                # Neighbors in cell size are none in error: points alone.
+                axes[row][1].loglog(table.column("seconds", code=code, scene=scene, scheme=scheme), errors, mark if scene == "start" else mark.rstrip("-"))
             axes[row][0].set_xlabel(label)
             axes[row][0].set_ylabel("%s: error of settling speeds, rms [%%]" % scene)
             axes[row][1].set_xlabel("processor time less start-up [s]")
