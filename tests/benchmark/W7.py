@@ -3,15 +3,11 @@
 """W7: flow through held grains at random places: error of the pressure gradient against Ergun's law on the true solid fraction, and run time,
 in cells of 3 to 3/8 diameters, of nscdDEMFoam (its default, and without its filter of small cells) and OpenFOAM's DPMFoam."""
 
-import shutil
-from pathlib import Path
-
-from foamFiles import setEntry
+from dpmfoamCase import FLUX_PRESSURE, copyParts, setFields, setGrains
 from pinnedRun import pinned
 from results import BUILD, Table, pyplot, savePicture
 from randomBeds import HeldBed, randomGrains
 
-HERE = Path(__file__).resolve().parent
 D, U, RHO, MU = 1e-3, 1e-2, 1000.0, 1e-3
 SIDE, HEIGHT, FREE = 6, 16, 8      # of the bed, and free above and below it [d]
 LOW, HIGH = 5, 11                  # between which the gradient is taken [d]
@@ -38,35 +34,18 @@ def ours(cell, settings):
     return errorOf(case.fieldValues("p_rgh"), cell), costs[1] - costs[0]
 
 
-FIELDS = {
-    "p": ("volScalarField", "[0 2 -2 0 0 0 0]", "0", {"zMin": "type fixedFluxPressure; phi phi.air; value uniform 0;", "zMax": "type fixedValue; value uniform 0;"}),
-    "U.air": ("volVectorField", "[0 1 -1 0 0 0 0]", "(0 0 %g)" % U, {"zMin": "type fixedValue; value uniform (0 0 %g);" % U, "zMax": "type zeroGradient;"})
-}
-
-
 def theirs(cell):
     """DPMFoam's grains are held by their mass; where alpha.air is as low as it lets cells be, drag is what that makes of it."""
     costs = []
     deltaT = 0.25*cell*D/U
     for steps in (1, STEPS):
         case = BED.box(CASES/"theirs", cell)
-        folder = Path(case.folder)
-        for part in ("constant/turbulenceProperties.air", "constant/transportProperties", "constant/kinematicCloudProperties", "system/fvSolution", "system/fvSchemes"):
-            shutil.copy(HERE/"DPMFoam"/part, folder/part)
+        copyParts(case, RHO, MU)
         case.gravity((0, 0, 0))
         case.control(deltaT, steps*deltaT)
-        setEntry(folder/"constant/transportProperties", r"rho\.air", "%g" % RHO)
-        setEntry(folder/"constant/transportProperties", "nu", "%g" % (MU/RHO))
-        cloud = (folder/"constant/kinematicCloudProperties").read_text()
-        for before, after in (("rho0           2526", "rho0           1e15"), ("value 0.0025", "value %g" % D), ("collisionModel pairCollision", "collisionModel none"),
-                              ("top ", "zMax "), ("bottom ", "zMin "), ("            walls        { $rebound; }\n", ""), ("            frontAndBack { $rebound; }\n", "")):
-            assert before in cloud, before
-            cloud = cloud.replace(before, after)
-        (folder/"constant/kinematicCloudProperties").write_text(cloud)
-        centers = "".join("(%.17g %.17g %.17g)\n" % tuple(D*x for x in center) for center in BED.centers)
-        case.write("constant/kinematicCloudPositions", "(\n" + centers + ")", "vectorField")
-        for name, (kind, dimensions, value, sides) in FIELDS.items():
-            case.field(name, kind, dimensions, value, {"cyclic": "type cyclic;", "patch": ""}, sides)
+        setGrains(case, D, 1e15, [[D*x for x in center] for center in BED.centers], ("zMin", "zMax"), collisions=False)
+        setFields(case, "(0 0 %g)" % U, {"zMin": "type fixedValue; value uniform (0 0 %g);" % U, "zMax": "type zeroGradient;"},
+                  {"zMin": FLUX_PRESSURE, "zMax": "type fixedValue; value uniform 0;"})
         case.call("blockMesh")
         costs.append(pinned("DPMFoam", case.folder).cpu)
     return errorOf([RHO*p for p in case.fieldValues("p")], cell), costs[1] - costs[0]

@@ -3,13 +3,10 @@
 // Errors and orders of the averaged fluid on manufactured solutions: M1 to M3 in time and space, Lethe's three steady
 // cases against Lethe's own errors at equal numbers of cells.
 
-#include "fluidCase.H"
-#include "manufacturedSources.H"
-#include "mappingTools.H"
+#include "manufacturedMeasure.H"
+#include "manufacturedRun.H"
 
 #include "../../accuracy/figures.hpp"
-
-#include "fixedValueFvPatchFields.H"
 
 #include <cstdio>
 #include <cstdlib>
@@ -21,25 +18,6 @@ using namespace Foam::nscdCoupling::testing;
 
 namespace
 {
-
-using Solution = ManufacturedPoint (*)(const ManufacturedFluid&, double, double, double);
-
-struct Manufactured
-{
-    const char* name;
-    Solution at;
-    ManufacturedFluid fluid;
-    bool isUnsteadyFraction = false;
-    bool hasWalls = false;         // [-1, 1]^2 with prescribed velocity; else periodic [0, 2 pi]^2
-    bool isStressFormD = false;    // source of the other stress form: must fail
-    const char* convection = "Gauss linear";
-    const char* ddt = "backward";
-    const char* pimple = "nOuterCorrectors 3; nCorrectors 2; momentumPredictor yes; pRefCell 0; pRefValue 0;";
-    scalar distortion = 0;         // largest random shift of a mesh point, in cells
-    scalar deltaT = 0;             // 0: a quarter of the cell size
-};
-
-struct Errors { scalar u = 0, p = 0; };
 
 bool isFailed = false;
 label nLevels = 3;
@@ -58,133 +36,6 @@ void requireOrder(const char* scene, const char* quantity, const scalar found, c
     require(found >= least, quantity);
     figures::row(scene, quantity, 2, found, max(scalar(0), 1 - found/2), 1 - least/2);
 }
-
-
-class ManufacturedRun
-{
-public:
-
-    ManufacturedRun(const Manufactured& solution, const label n)
-    :
-        solution_(solution),
-        flow_(settings(solution, n))
-    {
-        if (solution.hasWalls) prescribeOnPatches(flow_.sources());
-        setFraction();
-        flow_.fluid();
-        flow_.setVelocity([this](const point& x) { return velocity(x); });
-    }
-
-    void advance(const label nSteps)
-    {
-        flow_.steps(nSteps, [this] { setSources(); });
-    }
-
-    const volVectorField& U() { return flow_.fluid().U(); }
-
-    /// RMS over the domain; the pressure's mean is not determined.
-    Errors errors()
-    {
-        const volScalarField& pRgh = flow_.fluid().pRgh();
-        const scalarField& V = flow_.mesh().V();
-        scalar mean = 0;
-        forAll(pRgh, i) mean += V[i]*(pRgh[i] - at(flow_.mesh().C()[i]).p)/gSum(V);
-        return Errors
-        {
-            l2Error(flow_.fluid().U(), [this](const point& x) { return velocity(x); }),
-            l2Error(pRgh, [&](const point& x) { return at(x).p + mean; })
-        };
-    }
-
-private:
-
-    static FluidCaseSettings settings(const Manufactured& solution, const label n)
-    {
-        const scalar size = solution.hasWalls ? 2 : 2*constant::mathematical::pi;
-        FluidCaseSettings settings = planeCase(n, n, size, size);
-        if (solution.hasWalls)
-        {
-            settings.box.min = point(-1, -1, 0);
-            settings.box.max = point(1, 1, size/n);
-            for (label side = 0; side < 4; ++side)
-            {
-                settings.borderU[side] = "type fixedValue; value uniform (0 0 0);";
-                settings.borderP[side] = "type fixedFluxPressure; value uniform 0;";
-            }
-        }
-        else settings.box.patchTypes = {"cyclic", "cyclic", "cyclic", "cyclic", "empty", "empty"};
-        settings.rho = solution.fluid.rho;
-        settings.nu = solution.fluid.mu/solution.fluid.rho;
-        settings.box.deltaT = solution.deltaT > 0 ? solution.deltaT : size/n/4;
-        settings.ddt = solution.ddt;
-        settings.convection = solution.convection;
-        settings.pimple = solution.pimple;
-        settings.tolerance = 1e-9;
-        if (solution.distortion > 0)
-        {
-            shake(settings.box, solution.distortion*size/n, true);
-            settings.gradient = "leastSquares";
-            settings.interpolation = "skewCorrected linear";
-        }
-        return settings;
-    }
-
-    /// Fluid fraction and source of a manufactured solution are known at the walls, not only in the cells beside them.
-    static void prescribeOnPatches(GrainSources& sources)
-    {
-        for (label side = 0; side < 4; ++side)
-        {
-            const fvPatch& patch = sources.fluidFraction.mesh().boundary()[side];
-            sources.fluidFraction.boundaryFieldRef().set(side, new fixedValueFvPatchScalarField(patch, sources.fluidFraction));
-            sources.acceleration.boundaryFieldRef().set
-            (
-                side, new fixedValueFvPatchVectorField(patch, sources.acceleration)
-            );
-        }
-    }
-
-    ManufacturedPoint at(const point& x) const
-    {
-        return solution_.at(solution_.fluid, x.x(), x.y(), flow_.time().value());
-    }
-
-    vector velocity(const point& x) const
-    {
-        const ManufacturedPoint m = at(x);
-        return vector(m.U[0], m.U[1], 0)/m.fluidFraction;
-    }
-
-    void setFraction()
-    {
-        setCells(flow_.sources().fluidFraction, [this](const point& x) { return at(x).fluidFraction; });
-    }
-
-    void setSources()
-    {
-        const ManufacturedFluid& fluid = solution_.fluid;
-        GrainSources& sources = flow_.sources();
-        setFraction();
-        setCells(sources.drag, [&](const point&) { return fluid.beta/fluid.rho; });
-        setCells
-        (
-            sources.acceleration,
-            [&](const point& x)
-            {
-                const ManufacturedPoint m = at(x);
-                const double* s = solution_.isStressFormD ? m.sourceD : m.sourceS;
-                return vector(s[0], s[1], 0)/fluid.rho;
-            }
-        );
-        if (!solution_.isUnsteadyFraction) return;
-
-        // The wave of grains moves at 1/2 along x; drag towards them is in the source.
-        sources.hasResponse = true;
-        setCells(sources.carried, [this](const point& x) { return vector(0.5*(1 - at(x).fluidFraction), 0, 0); });
-    }
-
-    const Manufactured solution_;
-    mutable FluidCase flow_;
-};
 
 
 Errors errorsAfter(const Manufactured& solution, const label n, const label nSteps)
@@ -364,9 +215,10 @@ void checkAgainstLethe()
 } // End anonymous namespace
 
 
-// fluidManufactured [number of meshes: 3]
+// fluidManufactured [number of meshes: 3], or fluidManufactured measure ...
 int main(int argc, char** argv)
 {
+    if (argc > 1 && std::string(argv[1]) == "measure") return measureManufactured(argc - 2, argv + 2);
     if (argc > 1) nLevels = std::atoi(argv[1]);
     checkOrders();
     checkOneOuterLoop();
