@@ -48,12 +48,17 @@ def scored(name, rows):
 
 
 def times(runs):
-    """Of (error, seconds): the least seconds within each bar, None where none is."""
-    return [min((seconds for error, seconds in runs if error <= bar), default=None) for bar in BARS]
+    """Of (error, seconds): the least seconds within each bar, None where none is. Stored errors of others have no time."""
+    return [min((seconds for error, seconds in runs if error <= bar and seconds == seconds), default=None) for bar in BARS]
+
+
+def isTimed(runs):
+    return any(seconds == seconds for _, seconds in runs)
 
 
 def hasPeer(codes):
-    return any(not code.startswith("nscdDEMFoam") for code in codes)
+    """Of (code, runs): whether one that was timed is another's."""
+    return any(not code.startswith("nscdDEMFoam") and isTimed(runs) for code, runs in codes.items())
 
 
 def isUseful(runs):
@@ -70,7 +75,8 @@ def table(results):
             cells = []
             for k, value in enumerate(values):
                 best = min((other[k] for other in found.values() if other[k] is not None), default=None)
-                cells.append("never" if value is None else ("**%s**" if value == best and hasPeer(found) else "%s") % text(value))
+                none = "never" if isTimed(codes[code]) else "not timed"
+                cells.append(none if value is None else ("**%s**" if value == best and hasPeer(codes) else "%s") % text(value))
             lines.append((case, code, *cells, text(min(error for error, _ in codes[code] if error == error))))
     return lines
 
@@ -79,7 +85,7 @@ def behind(results):
     """Cases in which the first at 3 % is not ours."""
     cases = []
     for case in dict.fromkeys(row[0] for row in results):
-        found = sorted((row[3], row[1]) for row in results if row[0] == case and row[2] <= 3)
+        found = sorted((row[3], row[1]) for row in results if row[0] == case and row[2] <= 3 and row[3] == row[3])
         if found and not found[0][1].startswith("nscdDEMFoam"):
             cases.append(case)
     return cases
