@@ -49,7 +49,7 @@ struct Feedback
         const std::size_t n = grains.size();
         for (Vec3& v : grains.velocity) v = random.vec();
         mapping->sample({}, {{u, step.at.velocity}, {gradient, step.at.pressureGradient}});
-        step.drag = {random.numbers(n, 10, 50), random.numbers(n, 0, 5), random.numbers(n, 0.1, 1), {}, 0};
+        step.drag = {random.numbers(n, 10, 50), random.numbers(n, 0, 5), random.numbers(n, 0.1, 1), {}, 0, {0, 0}, {}, {}, 0};
         step.drag.addedMass = random.numbers(n, 0.01, 0.05);
         step.drag.startFluid = random.vecs(n);
         step.drag.deltaT = deltaT;
@@ -109,7 +109,7 @@ TEST(GrainFeedback, explicitForcesGoToTheFluidTurnedRoundAndAsTheyAre)
 {
     Feedback feedback;
     const std::size_t n = feedback.grains.size();
-    feedback.step.drag = {std::vector<scalar>(n, 0.0), std::vector<scalar>(n, 0.0), std::vector<scalar>(n, 1.0), {}, 0};
+    feedback.step.drag = {std::vector<scalar>(n, 0.0), std::vector<scalar>(n, 0.0), std::vector<scalar>(n, 1.0), {}, 0, {0, 0}, {}, {}, 0};
     feedback.debt.assign(n, Vec3::Zero());
     feedback.step.exchanged = RandomNumbers(6).vecs(n);
     feedback.handOver();
