@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Greedy batching with one bit per open block and body; what finds no room in a window goes first in the next one.
+// Greedy batching with one bit per open block and body.
 #include "nscd/contacts/contactBatching.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace nscd
 namespace
 {
 
-constexpr int blocksPerWindow = 64;   // bits of the masks
-constexpr std::size_t mostWaiting = 512;
+constexpr std::size_t windowSize = 512;
+constexpr int blocksPerWindow = 64;  // bits of the masks
 
 /// Which open blocks of the present window hold a body, reset lazily by window number.
 class OpenBlocks
@@ -37,36 +37,6 @@ private:
     std::vector<InWindow> bodies_;
 };
 
-/// One window of blocks: each candidate goes into the first open block without its bodies.
-class Window
-{
-public:
-    Window(OpenBlocks& open, int number) : open_(open), number_(number) {}
-
-    /// The lane among those of the window; -1 if each open block has a body of the candidate.
-    int place(const Candidate& c, int staticBody)
-    {
-        const std::uint64_t blocked = full_ | open_.of(c.a, number_) | (c.b == staticBody ? 0 : open_.of(c.b, number_));
-        if (~blocked == 0) return -1;
-        const int block = __builtin_ctzll(~blocked), lane = block*blockLanes + filled_[block];
-        if (++filled_[block] == blockLanes) full_ |= std::uint64_t(1) << block;
-        used_ = std::max(used_, block + 1);
-        open_.add(c.a, number_, block);
-        if (c.b != staticBody) open_.add(c.b, number_, block);
-        return lane;
-    }
-
-    bool isFull() const { return ~full_ == 0; }
-    int used() const { return used_; }
-
-private:
-    OpenBlocks& open_;
-    int number_;
-    std::uint64_t full_ = 0;
-    int used_ = 0;
-    std::array<int, blocksPerWindow> filled_{};
-};
-
 } // namespace
 
 ContactBlock emptyBlock(int staticBody)
@@ -82,22 +52,30 @@ Batches batchContacts(const std::vector<Candidate>& candidates, const std::vecto
     Batches batches;
     batches.slotOf.resize(candidates.size());
     OpenBlocks open(staticBody + 1);
-    std::vector<std::uint32_t> waiting, stillWaiting;
-    auto next = order.begin();
-    for (int number = 0; next != order.end() || !waiting.empty(); ++number)
+
+    std::size_t begin = 0;
+    for (int window = 0; begin < candidates.size(); ++window)
     {
-        Window window(open, number);
-        const auto place = [&](std::uint32_t k)
+        const std::size_t end = std::min(begin + windowSize, candidates.size());
+        std::uint64_t full = 0;
+        int used = 0;
+        std::array<int, blocksPerWindow> filled{};
+        std::size_t k = begin;
+        for (; k < end; ++k)
         {
-            const int lane = window.isFull() ? -1 : window.place(candidates[k], staticBody);
-            if (lane < 0) stillWaiting.push_back(k);
-            else batches.slotOf[k] = static_cast<std::uint32_t>(batches.blocks*blockLanes + lane);
-        };
-        for (std::uint32_t k : waiting) place(k);
-        while (next != order.end() && !window.isFull() && stillWaiting.size() < mostWaiting) place(*next++);
-        batches.blocks += window.used();
-        waiting.swap(stillWaiting);
-        stillWaiting.clear();
+            const Candidate& c = candidates[order[k]];
+            const std::uint64_t blocked = full | open.of(c.a, window) | (c.b == staticBody ? 0 : open.of(c.b, window));
+            // A body with more than 64 candidates in a window ends the window early.
+            if (~blocked == 0) break;
+            const int block = __builtin_ctzll(~blocked);
+            batches.slotOf[order[k]] = static_cast<std::uint32_t>((batches.blocks + block)*blockLanes + filled[block]);
+            if (++filled[block] == blockLanes) full |= std::uint64_t(1) << block;
+            used = std::max(used, block + 1);
+            open.add(c.a, window, block);
+            if (c.b != staticBody) open.add(c.b, window, block);
+        }
+        batches.blocks += used;
+        begin = k;
     }
     return batches;
 }

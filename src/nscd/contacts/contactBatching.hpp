@@ -31,8 +31,8 @@ struct Batches
 /// A block whose lanes all join the static body to itself.
 ContactBlock emptyBlock(int staticBody);
 
-/// Greedy within windows of 64 blocks, so that the spatial order, and with it convergence and cache use, nearly stays: a body with more candidates in a
-/// window than it has blocks leaves the others in for the next ones, and those of other bodies fill its blocks. `order`: the candidates in the order they are packed.
+/// Greedy within windows of 512 candidates, so that the spatial order, and with it convergence and cache use, stays. `order`: the
+/// candidates in the order they are packed.
 /// Ensures: no body but the static one appears twice in a block; every candidate has one slot
 Batches batchContacts(const std::vector<Candidate>& candidates, const std::vector<std::uint32_t>& order, int staticBody);
 

@@ -88,21 +88,6 @@ TEST(ContactBatching, aBodyWithManyContactsHasABlockForEach)
     EXPECT_EQ(batchContacts({}, {}, 0).blocks, 0u);
 }
 
-TEST(ContactBatching, blocksAreFullAlsoBesideBodiesWithManyContacts)
-{
-    // Fast grains are candidates of all that they may pass: 150 candidates each of some bodies, three of the others.
-    const int bodies = 4000;
-    std::vector<Candidate> contacts;
-    for (int a = 0; a < bodies; ++a)
-    {
-        const int number = a % 100 == 0 ? 150 : 3;
-        for (int k = 1; k <= number && a + k < bodies; ++k) contacts.push_back({a, a + k, -1, {0, 0, 0}});
-    }
-    const Batches batches = batchContacts(contacts, inOrder(contacts.size()), bodies);
-    expectIndependentLanes(contacts, batches, bodies);
-    EXPECT_LT(batches.blocks*blockLanes, 1.1*contacts.size());
-}
-
 TEST(ContactBatching, emptyBlocksJoinTheStaticBodyToItself)
 {
     const ContactBlock block = emptyBlock(17);
