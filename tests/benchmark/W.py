@@ -66,7 +66,7 @@ def isUseful(runs):
 
 
 def table(results):
-    """Rows of case, code, time to each bar, smallest error; and what was behind at 3 %."""
+    """Rows of case, code, time to each bar, smallest error."""
     lines = []
     for case in dict.fromkeys(row[0] for row in results):
         codes = {code: [row[2:] for row in results if row[:2] == (case, code)] for code in dict.fromkeys(row[1] for row in results if row[0] == case)}

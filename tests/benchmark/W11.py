@@ -6,7 +6,6 @@ where Lethe's errors, which it keeps for its own tests, stand beside ours withou
 schemes on the decaying vortices of Taylor and Green (t = 0.98, nu 0.07/1.3)."""
 
 import math
-import os
 
 from pinnedRun import pinned
 from results import BUILD, Table, pyplot, savePicture
@@ -60,7 +59,6 @@ def vortexCase(program, cells, deltaT, steps):
     case.write("system/fvSchemes", SCHEMES)
     case.write("system/fvSolution", SOLUTION)
     case.fluid(RHO, MU, (0, 0, 0))
-    os.rename(os.path.join(case.folder, "0/p_rgh"), os.path.join(case.folder, "0/p_rgh.orig"))
     sides = "".join("%sMin { type cyclic; } %sMax { type cyclic; } " % (a, a) for a in "xy") + "zMin { type empty; } zMax { type empty; }"
     start = exact(cells, 0)
     case.write("0/U", "dimensions [0 1 -1 0 0 0 0]; internalField nonuniform List<vector> %d\n(\n%s);\nboundaryField { %s }"

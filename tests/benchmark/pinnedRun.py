@@ -14,13 +14,13 @@ Cost = namedtuple("Cost", "cpu wall")
 CORE = int(os.environ.get("BENCHMARK_CORE", "0"))
 
 
-def pinned(program, folder, core=CORE, log=None, arguments=()):
+def pinned(program, folder, core=CORE, log=None, arguments=(), environment=()):
     """Seconds of one run: of the processor (user and system, which other programs on the core do not change much) and of the clock."""
     log = os.path.join(folder, log or "log." + program)
     start = time.time()
     with open(log, "w") as file:
-        process = subprocess.Popen(["taskset", "-c", str(core), program, *map(str, arguments)], cwd=folder, stdout=file, stderr=subprocess.STDOUT,
-                                   env=dict(os.environ, PWD=os.path.abspath(folder)))
+        process = subprocess.Popen(["taskset", "-c", str(core), program, *map(str, arguments)], cwd=folder, stdin=subprocess.DEVNULL,
+                                   stdout=file, stderr=subprocess.STDOUT, env=dict(os.environ, PWD=os.path.abspath(folder), **dict(environment)))
         _, status, usage = os.wait4(process.pid, 0)
     if status != 0:
         with open(log) as file:

@@ -4,24 +4,16 @@
 // What each help of the contact solver is worth: steps of four scenes with all of them, and without each, from the same states. CSV.
 // ablation bed.dat perSide layers [rounds=3] [steps=20]: bed.dat as `coldSolve settle` wrote it, of perSide*perSide*layers grains
 #include "benchmark/peers/columnScene.hpp"
+#include "benchmark/timedSteps.hpp"
 #include "unit/nscd/scenes/heaps.hpp"
 
 #include <cstdio>
-#include <ctime>
 #include <functional>
 
 using namespace scenes;
 
 namespace
 {
-
-/// Processor time of this program [s].
-double processorTime()
-{
-    timespec time;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9*static_cast<double>(time.tv_nsec);
-}
 
 struct Variant
 {

@@ -5,43 +5,28 @@
 // dryWork SCENE OUT TIMES [option=value ...]     TIMES t1,t2,... [s]; OUT.1, OUT.2, ...: rows x y z, velocity, spin
 // It prints one row of CSV; seconds are those of the steps, without reading and building.
 #include "benchmark/dryWork/plainScene.hpp"
+#include "benchmark/timedSteps.hpp"
 
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 
 using namespace scenes;
 
 namespace
 {
 
-double processorTime() { return static_cast<double>(std::clock())/CLOCKS_PER_SEC; }
-
-/// What the steps took, and the worst of what they reported.
-struct Totals
+void step(nscd::GrainDynamics& dynamics, const Vec3& g, double deltaT, TimedSteps& totals)
 {
-    int steps = 0, capped = 0;
-    double seconds = 0.0, sweeps = 0.0, contacts = 0.0, overlapMax = 0.0, overlapMean = 0.0;
+    const double start = processorTime();
+    const nscd::StepReport report = scenes::step(dynamics, g, deltaT);
+    totals.add(report, processorTime() - start);
+}
 
-    void step(nscd::GrainDynamics& dynamics, const Vec3& g, double deltaT)
-    {
-        const double start = processorTime();
-        const nscd::StepReport report = scenes::step(dynamics, g, deltaT);
-        seconds += processorTime() - start;
-        ++steps;
-        capped += !report.solve.converged;
-        sweeps += report.solve.sweeps;
-        contacts += static_cast<double>(report.solve.contacts);
-        overlapMax = std::max(overlapMax, report.overlapMax);
-        overlapMean = std::max(overlapMean, report.overlapMean);
-    }
-
-    void print() const
-    {
-        std::printf("steps,seconds,sweeps,contacts,capped,overlapMax,overlapMean\n%d,%.6f,%.3f,%.1f,%d,%.3e,%.3e\n", steps, seconds, sweeps/steps,
-                    contacts/steps, capped, overlapMax, overlapMean);
-    }
-};
+void print(const TimedSteps& t)
+{
+    std::printf("steps,seconds,sweeps,contacts,capped,overlapMax,overlapMean\n%d,%.6f,%.3f,%.1f,%d,%.3e,%.3e\n", t.steps, t.seconds, t.sweeps/t.steps,
+                t.contacts/t.steps, t.capped, t.overlapMax, t.overlapMean);
+}
 
 void writeGrains(const std::string& path, const nscd::Grains& grains)
 {
@@ -58,15 +43,15 @@ void run(nscd::GrainDynamics& dynamics, const Vec3& g, const std::string& out, c
 {
     double time = 0.0;
     for (int k = 0; k < options.warmUp; ++k) scenes::step(dynamics, g, options.deltaT);
-    Totals totals;
+    TimedSteps totals;
     for (std::size_t k = 0; k < times.size(); ++k)
     {
         const int steps = std::max(1, static_cast<int>(std::lround((times[k] - time)/options.deltaT)));
-        for (int n = 0; n < steps; ++n) totals.step(dynamics, g, (times[k] - time)/steps);
+        for (int n = 0; n < steps; ++n) step(dynamics, g, (times[k] - time)/steps, totals);
         time = times[k];
         writeGrains(out + "." + std::to_string(k + 1), dynamics.grains());
     }
-    totals.print();
+    print(totals);
 }
 
 } // namespace

@@ -11,18 +11,16 @@
 #include "benchmark/partColumns.hpp"
 #include "benchmark/peers/columnScene.hpp"
 #include "benchmark/peers/frozenProblem.hpp"
+#include "benchmark/timedSteps.hpp"
 #include "unit/nscd/scenes/heaps.hpp"
 
 #include <cstdio>
-#include <ctime>
 #include <map>
 
 using namespace scenes;
 
 namespace
 {
-
-double processorTime() { return static_cast<double>(std::clock())/CLOCKS_PER_SEC; }
 
 using Options = std::map<std::string, std::string>;
 
@@ -78,11 +76,9 @@ struct Run
     }
 };
 
-/// Sums and extremes over some steps, and the processor time they took.
-struct Interval
+/// Some steps, and what is of the last of them.
+struct Interval : TimedSteps
 {
-    int steps = 0, capped = 0;
-    double seconds = 0.0, sweeps = 0.0, contacts = 0.0, overlapMax = 0.0, overlapMean = 0.0;
     std::size_t asleep = 0;
     int lists = 0, corrections = 0;
     nscd::StepTimes from, to;  ///< of the clock
@@ -94,14 +90,8 @@ struct Interval
         const double start = processorTime();
         run.dynamics.beginStep(deltaT);
         const nscd::StepReport report = run.dynamics.advance(forces);
-        seconds += processorTime() - start;
+        add(report, processorTime() - start);
         run.time += deltaT;
-        ++steps;
-        capped += !report.solve.converged;
-        sweeps += report.solve.sweeps;
-        contacts += static_cast<double>(report.solve.contacts);
-        overlapMax = std::max(overlapMax, report.overlapMax);
-        overlapMean = std::max(overlapMean, report.overlapMean);
         asleep = report.asleep;
         lists += report.listRebuilt;
         corrections += report.correctionSweeps;

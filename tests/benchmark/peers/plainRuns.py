@@ -2,14 +2,13 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """Runs of a plain scene by each program, pinned: processor seconds of the steps, and the grains at some times."""
 
-import os
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from pinnedRun import CORE
+from pinnedRun import CORE, pinned
 from plainScene import PEERS, restingDepth, softStep, writeData, writeOurs, writeSurface
 from results import BUILD, ROOT
 from softPeers import readDump
@@ -58,18 +57,8 @@ def soft(peer, name, scene, modulus, times):
     costs = []
     for kind, counts in (("start", [1]), ("whole", steps)):
         (folder/(kind + ".in")).write_text(make(scene, modulus, "grains.data", "surface.stl", counts, kind))
-        costs.append(processorSeconds(program, folder, kind))
+        costs.append(pinned(program, folder, CORE, kind + ".screen", ["-in", kind + ".in", "-log", kind + ".log"], ALONE).cpu)
     return {"steps": steps[-1], "seconds": costs[1] - costs[0]}, [readDump(folder/("whole.%d" % (k + 1))) for k in range(len(times))]
-
-
-def processorSeconds(program, folder, kind):
-    with open(folder/(kind + ".screen"), "w") as screen:
-        process = subprocess.Popen(["taskset", "-c", str(CORE), program, "-in", kind + ".in", "-log", kind + ".log"], cwd=folder,
-                                   stdin=subprocess.DEVNULL, stdout=screen, stderr=subprocess.STDOUT, env=dict(os.environ, **ALONE))
-        _, status, usage = os.wait4(process.pid, 0)
-    if status != 0:
-        raise SystemExit("%s failed: see %s" % (program, folder/(kind + ".screen")))
-    return usage.ru_utime + usage.ru_stime
 
 
 def atRest(scene, modulus):

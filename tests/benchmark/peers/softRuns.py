@@ -3,13 +3,12 @@
 """Runs of LIGGGHTS and LAMMPS: whole motions that leave restarts at some moments, and short timed windows that start from these."""
 
 import json
-import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from pinnedRun import pinned
 from results import BUILD
 from softPeers import PEERS, RESTITUTION, dumpCommands, readDump, timeStep, writeData
 
@@ -31,13 +30,7 @@ def processorSeconds(peer, text, name, core):
     program = PEERS[peer][0]
     path = FOLDER/(name + ".in")
     path.write_text(text)
-    with open(FOLDER/(name + ".screen"), "w") as screen:
-        process = subprocess.Popen(["taskset", "-c", str(core), program, "-in", path.name, "-screen", "none", "-log", name + ".log"],
-                                   cwd=FOLDER, stdout=screen, stderr=subprocess.STDOUT, env=dict(os.environ, **ALONE))
-        _, status, usage = os.wait4(process.pid, 0)
-    if status != 0:
-        raise SystemExit("%s failed: see %s" % (program, FOLDER/(name + ".log")))
-    return usage.ru_utime + usage.ru_stime
+    return pinned(program, FOLDER, core, name + ".screen", ["-in", path.name, "-screen", "none", "-log", name + ".log"], ALONE).cpu
 
 
 def name(peer, modulus, scene, moment=None, restitution=RESTITUTION):
