@@ -75,6 +75,7 @@ void CoupledRun::sampleFluid()
     step_.at.ownWake.clear();
     sampleAtGrains(forces_.readsAtStart() | (ownWake_ ? reads::own : reads::nothing) | (heat_ ? GrainHeat::reads : reads::nothing));
     if (ownWake_) followOwnWake(forceInputs(), fluidForce_, ownStressShare_, time_.deltaTValue(), step_.at, *ownWake_);
+    if (slipHistory_) slipHistory_->follow(forceInputs(), time_.deltaTValue(), time_.deltaT0Value(), step_.at);
     if (!coarse_) return;
     if (!ownWake_) step_.at.dragFactor.assign(dynamics_->grains().size(), 1.0);
     coarse_->multiplyDrag(dynamics_->grains(), step_.at.dragFactor);

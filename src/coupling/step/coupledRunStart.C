@@ -10,6 +10,7 @@
 #include "coupling/case/log/grainTotals.H"
 #include "coupling/case/log/inflow.H"
 #include "coupling/case/log/sceneLog.H"
+#include "coupling/case/start/filmViscosity.H"
 #include "coupling/case/start/fluidSourcesCheck.H"
 #include "coupling/case/start/initialChecks.H"
 #include "coupling/case/start/movingMeshCheck.H"
@@ -110,6 +111,7 @@ GrainProperties readRunnable(const Time& time, const polyMesh& mesh)
     checkMeshParts(mesh);
     GrainProperties properties = readGrainProperties(time, surroundingsIn(mesh));
     refuseUnsupportedFiles(time, properties.solvesFluid);
+    if (properties.solvesFluid) setFilmViscosity(time, properties.materials.table);
     return properties;
 }
 
@@ -128,6 +130,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     debt_(memory_.add(dragDebt)),
     lastContactForce_(memory_.add(contactForce)),
     fluidForce_(memory_.add(fluidForce)),
+    slipHistory_(properties_.solvesFluid && properties_.forces.isOn("basset") ? std::make_unique<SlipHistory>(memory_) : nullptr),
     ownWake_(correctsOwnWake(properties_, scene_.space.shape) ? &memory_.add(ownWakeOfGrain) : nullptr),
     temperature_(properties_.heat ? &memory_.add(temperature) : nullptr),
     ownStressShare_(ownStressShare(properties_.forces)),

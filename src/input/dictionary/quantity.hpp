@@ -35,6 +35,7 @@ inline constexpr Unit length{0, 1, 0};
 inline constexpr Unit velocity{0, 1, -1};
 inline constexpr Unit acceleration{0, 1, -2};
 inline constexpr Unit viscosity{0, 2, -1};
+inline constexpr Unit dynamicViscosity{1, -1, -1};
 inline constexpr Unit density{1, -3, 0};
 inline constexpr Unit force{1, 1, -2};
 inline constexpr Unit mass{1, 0, 0};

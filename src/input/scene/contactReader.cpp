@@ -55,11 +55,22 @@ void checkLawsOfClumps(const MaterialTable& materials)
     }
 }
 
+/// Laws that stand beside no others, or not in every space.
+void checkLubrication(const MaterialTable& materials, bool areDiscs)
+{
+    if (!materials.table.anyRoughness()) return;
+    const auto refuse = [&](const char* what, const char* allowed) { throw InputError({materials.contactsPlace, what, "", allowed}); };
+    if (areDiscs) refuse("has a roughness, and the films of lubrication are those between spheres", "none between discs");
+    if (materials.table.anyRolling()) refuse("has a roughness beside rolling or spinning friction, which are not solved together", "one of the two");
+}
+
 bool readSleep(const CheckedEntries& given, const Surroundings& around, Scene& scene)
 {
     const bool isOn = given.flag("sleep", around.sleepsByDefault);
     if (isOn && scene.hasClumps()) scene.notes.push_back("grains at rest stay awake: clumps do not sleep");
-    return isOn && !scene.hasClumps();
+    const bool areLubricated = scene.materials.table.anyRoughness();
+    if (isOn && areLubricated) scene.notes.push_back("grains at rest stay awake: films of fluid between them do not sleep");
+    return isOn && !scene.hasClumps() && !areLubricated;
 }
 
 } // namespace
@@ -71,6 +82,7 @@ void readContactSettings(const CheckedEntries& top, const Surroundings& around, 
     nscd::ContactSettings& s = scene.contact;
     s.solver = readSolver(given, s.solver, scene.materials.table, scene.hasClumps(), around.nRanks);
     if (scene.hasClumps()) checkLawsOfClumps(scene.materials);
+    checkLubrication(scene.materials, around.shape.dimensions == 2);
     s.tolerance = given.number("tolerance", above(0), s.tolerance);
     s.displacementTolerance = given.number("displacementTolerance", above(0), s.displacementTolerance);
     s.forceTolerance = given.number("forceTolerance", above(0), s.forceTolerance);

@@ -10,7 +10,19 @@ namespace input
 namespace
 {
 
-nscd::ContactPair readPair(const Dictionary& dict)
+/// The film of fluid between two surfaces; where the fluid is solved, its viscosity is the fluid's, unless it is given.
+void readFilm(const CheckedEntries& given, bool hasFluid, nscd::ContactPair& pair)
+{
+    pair.roughness = given.number("roughness", atLeast(0, unit::length), 0.0);
+    const bool hasFilm = pair.roughness > 0.0;
+    const Range ranges = hasFilm ? above(0, unit::length) : atLeast(0, unit::length), viscosities = atLeast(0, unit::dynamicViscosity);
+    pair.lubricationRange = hasFilm ? given.number("lubricationRange", ranges) : given.number("lubricationRange", ranges, 0.0);
+    if (pair.lubricationRange > 0.0) given.require("roughness", "the thickness of the film that is left where surfaces touch, as 1e-6 [m]; 0: no film");
+    pair.lubricationViscosity = hasFilm && !hasFluid
+        ? given.number("lubricationViscosity", above(0, unit::dynamicViscosity)) : given.number("lubricationViscosity", viscosities, 0.0);
+}
+
+nscd::ContactPair readPair(const Dictionary& dict, bool hasFluid)
 {
     const CheckedEntries given(dict);
     nscd::ContactPair pair;
@@ -20,6 +32,7 @@ nscd::ContactPair readPair(const Dictionary& dict)
     pair.spinningFriction = given.number("spinningFriction", atLeast(0), 0.0);
     pair.cohesion = given.number("cohesion", atLeast(0, unit::force), 0.0);
     pair.cohesionRange = given.number("cohesionRange", atLeast(0, unit::length), 0.0);
+    readFilm(given, hasFluid, pair);
     given.finish();
     return pair;
 }
@@ -44,13 +57,13 @@ void setAllPairs(nscd::Materials& table, const nscd::ContactPair& pair)
 std::string nameOfPair(const nscd::Materials& table, int a, int b) { return table.names()[a] + "-" + table.names()[b]; }
 
 /// Sets the pair a-b, under either spelling of its name.
-void readNamedPair(const CheckedEntries& contacts, nscd::Materials& table, int a, int b)
+void readNamedPair(const CheckedEntries& contacts, bool hasFluid, nscd::Materials& table, int a, int b)
 {
     const std::string name = nameOfPair(table, a, b), swapped = nameOfPair(table, b, a);
     const bool isNamed = contacts.found(name);
     const bool isSwapped = contacts.found(swapped);
     if (isNamed && isSwapped && a != b) contacts.reject(swapped, "repeats a pair already given in the other order");
-    if (isNamed || isSwapped) table.setPair(a, b, readPair(contacts.sub(isNamed ? name : swapped)));
+    if (isNamed || isSwapped) table.setPair(a, b, readPair(contacts.sub(isNamed ? name : swapped), hasFluid));
 }
 
 int readMaterial(const CheckedEntries& dict, const std::string& keyword, const MaterialTable& materials)
@@ -70,7 +83,7 @@ Words MaterialTable::grainMaterials() const
     return names;
 }
 
-MaterialTable readMaterials(const CheckedEntries& top)
+MaterialTable readMaterials(const CheckedEntries& top, bool hasFluid)
 {
     MaterialTable materials;
     const CheckedEntries list(top.sub("materials"));
@@ -79,10 +92,10 @@ MaterialTable readMaterials(const CheckedEntries& top)
 
     materials.contactsPlace = top.place("contacts");
     const CheckedEntries contacts(top.sub("contacts"));
-    if (contacts.found("default")) setAllPairs(materials.table, readPair(contacts.sub("default")));
+    if (contacts.found("default")) setAllPairs(materials.table, readPair(contacts.sub("default"), hasFluid));
     for (int a = 0; a < materials.table.size(); ++a)
     {
-        for (int b = a; b < materials.table.size(); ++b) readNamedPair(contacts, materials.table, a, b);
+        for (int b = a; b < materials.table.size(); ++b) readNamedPair(contacts, hasFluid, materials.table, a, b);
     }
     contacts.finish();
     return materials;

@@ -10,7 +10,7 @@ namespace input
 {
 
 /// `materials` and `contacts`.
-MaterialTable readMaterials(const CheckedEntries& top);
+MaterialTable readMaterials(const CheckedEntries& top, bool hasFluid);
 
 /// `wallMaterial`: the only material where it is missing, -1 where there are several.
 int readWallMaterial(const CheckedEntries& top, const MaterialTable& materials);

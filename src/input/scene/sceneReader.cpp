@@ -22,7 +22,7 @@ bool Scene::hasClumps() const
 
 void readScene(const CheckedEntries& top, const Surroundings& around, Scene& scene)
 {
-    scene.materials = readMaterials(top);
+    scene.materials = readMaterials(top, around.hasFluid);
     scene.wallMaterial = readWallMaterial(top, scene.materials);
     readWalls(top, around, scene);
     readSources(top, around, scene);

@@ -47,8 +47,15 @@ public:
     /// Gives the bodies, which have the warm impulses of contacts, the law's own impulses of the last step times `scale`, made admissible.
     virtual void startWarm(ContactList&, double /*scale*/) {}
 
-    /// The moments of contacts, a block for each of the list, that sweeps solve with the impulses; null: the law has none. One law in use may have some.
-    virtual std::vector<MomentBlock>* moments() { return nullptr; }
+    /// What sweeps solve with the impulses, a block for each of the list; null: nothing. One law in use may have some.
+    virtual std::vector<LawBlock>* sweptBlocks() { return nullptr; }
+
+    /// The passes over these blocks, where they are not those over moments.
+    virtual void chooseKernels(SweepKernels&) const {}
+    /// The list has been solved, for the step's motion or for a trial of it.
+    virtual void endSolve() {}
+    /// The rebounds come next, from the bodies' free velocities: adds impulses that the motion has given and rebounds do not change.
+    virtual void beginShock(ContactList&) {}
 
     /// Adds what the law made of a step.
     virtual void addForces(const ContactList&, const Scene&, double deltaT, ContactSums& sums) const = 0;
@@ -77,21 +84,19 @@ protected:
     std::vector<Slot> slots_;
 };
 
-/// Copies the moment of one contact, with its law.
-inline void copyLane(const MomentBlock& from, int lane, MomentBlock& to, int place)
+/// Copies what a law has of one contact.
+inline void copyLane(const LawBlock& from, int lane, LawBlock& to, int place)
 {
     for (int k = 0; k < 3; ++k) to.q[k][place] = from.q[k][lane];
-    to.across[place] = from.across[lane];
-    to.along[place] = from.along[lane];
-    to.shareA[place] = from.shareA[lane];
-    to.shareB[place] = from.shareB[lane];
+    for (int k = 0; k < 4; ++k) to.of[k][place] = from.of[k][lane];
 }
 
 struct ContactLawRow
 {
     const char* words;           ///< what users call it, for messages and logs
     const char* impulseName;     ///< of the impulse that it keeps of a contact, in files; null: it keeps none
-    bool isSwept;                ///< whether it gives contacts moments, which are solved within the sweeps and act on spins
+    bool isSwept;                ///< whether it is solved within the sweeps: one such law in a scene, with NLGS alone, and no clumps
+    bool isOfSpins;              ///< whether it acts on spins
     bool isOfStart;              ///< whether what it does in a step follows from the impulses at its start
     bool (*isUsed)(const Materials&);
     double (*range)(const Materials&);             ///< largest gap that it acts across [m]

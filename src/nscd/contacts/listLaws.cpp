@@ -17,7 +17,7 @@ ListLaws::ListLaws(const Materials& materials)
         if (!row.isUsed(materials)) continue;
         laws_.push_back(row.make());
         if (row.impulseName) keeping_.push_back({laws_.back().get(), own});
-        areSwept_ = areSwept_ || row.isSwept;
+        areOfSpins_ = areOfSpins_ || row.isOfSpins;
         areOfStart_ = areOfStart_ || row.isOfStart;
     }
 }
@@ -52,11 +52,26 @@ void ListLaws::startWarm(ContactList& list, double scale)
     for (const auto& law : laws_) law->startWarm(list, scale);
 }
 
-std::vector<MomentBlock>* ListLaws::moments() const
+void ListLaws::endSolve()
+{
+    for (const auto& law : laws_) law->endSolve();
+}
+
+void ListLaws::beginShock(ContactList& list)
+{
+    for (const auto& law : laws_) law->beginShock(list);
+}
+
+void ListLaws::chooseKernels(SweepKernels& kernels) const
+{
+    for (const auto& law : laws_) law->chooseKernels(kernels);
+}
+
+std::vector<LawBlock>* ListLaws::sweptBlocks() const
 {
     for (const auto& law : laws_)
     {
-        if (std::vector<MomentBlock>* const moments = law->moments()) return moments;
+        if (std::vector<LawBlock>* const blocks = law->sweptBlocks()) return blocks;
     }
     return nullptr;
 }

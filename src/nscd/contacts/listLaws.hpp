@@ -20,8 +20,8 @@ public:
     explicit ListLaws(const Materials& materials);
 
     bool empty() const { return laws_.empty(); }
-    /// Whether any works within the sweeps.
-    bool areSwept() const { return areSwept_; }
+    /// Whether any acts on spins.
+    bool areOfSpins() const { return areOfSpins_; }
     /// Whether what any does in a step follows from the impulses at its start.
     bool areOfStart() const { return areOfStart_; }
 
@@ -32,9 +32,12 @@ public:
     void beginStep(const ContactList& list);
     void giveKnown(ContactList& list, double deltaT, double deadBand);
     void startWarm(ContactList& list, double scale);
+    void endSolve();
+    void beginShock(ContactList& list);
+    void chooseKernels(SweepKernels& kernels) const;
 
-    /// Moments that the contacts of the list bear; null where no law gives them any.
-    std::vector<MomentBlock>* moments() const;
+    /// Of the law that is solved within the sweeps; null where there is none.
+    std::vector<LawBlock>* sweptBlocks() const;
 
     void addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const;
     Vec3 known(std::size_t slot) const;
@@ -54,7 +57,7 @@ private:
         std::size_t place;
     };
     std::vector<Keeping> keeping_;
-    bool areSwept_ = false;
+    bool areOfSpins_ = false;
     bool areOfStart_ = false;
 };
 

@@ -107,7 +107,7 @@ std::vector<Vec3> MovingWalls::spins(int emptyAxis) const
 
 void MovingWalls::setVelocities(ContactList& list, const PeriodicBox& box, int emptyAxis) const
 {
-    const std::vector<Vec3> omega = !list.laws.areSwept() ? std::vector<Vec3>() : spins(emptyAxis);
+    const std::vector<Vec3> omega = !list.laws.areOfSpins() ? std::vector<Vec3>() : spins(emptyAxis);
     for (std::size_t k = 0; k < list.movingSlots.size(); ++k)
     {
         const std::size_t slot = list.movingSlots[k];

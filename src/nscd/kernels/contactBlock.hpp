@@ -38,16 +38,38 @@ struct alignas(64) ContactBlock
     std::int32_t b[blockLanes];
 };
 
-/// The moments that the contacts of a block bear besides, where a law gives them any. A moment impulse M on A, -M on B [N m s], is kept as q = M/R', R' the
-/// reduced radius, and changes the spin variables by a q/(kappa m_A) and -b q/(kappa m_B). Unused lanes carry zeros.
-struct alignas(64) MomentBlock
+/// What a law that is solved within the sweeps gives the contacts of a block besides: an impulse `q` on A, world frame, and the law's coefficients, which
+/// it numbers itself (see `momentLaw` and `filmLaw`). Unused lanes carry zeros.
+struct alignas(64) LawBlock
 {
-    double q[3][blockLanes];     ///< on A, world frame [N s]
-    double across[blockLanes];   ///< most of the part in the tangent plane, over the normal impulse
-    double along[blockLanes];    ///< most of the part along the normal, likewise
-    double shareA[blockLanes];   ///< a = R'/R_A
-    double shareB[blockLanes];   ///< b = R'/R_B: 1 - a, or 1 at a wall, as a is
+    double q[3][blockLanes];     ///< [N s]
+    double of[4][blockLanes];
 };
+
+/// Coefficients of contacts that bear moments. A moment impulse M on A, -M on B [N m s], is kept as q = M/R', R' the reduced radius, and changes the
+/// spin variables by a q/(kappa m_A) and -b q/(kappa m_B).
+namespace momentLaw
+{
+enum Coefficient
+{
+    across,   ///< most of the part in the tangent plane, over the normal impulse
+    along,    ///< most of the part along the normal, likewise
+    shareA,   ///< a = R'/R_A
+    shareB    ///< b = R'/R_B: 1 - a, or 1 at a wall, as a is
+};
+}
+
+/// Coefficients of contacts with a film of fluid between them: see lubrication.hpp. The impulse q is along the normal.
+namespace filmLaw
+{
+enum Coefficient
+{
+    strength,    ///< k [N s]; 0: no film in this step
+    thickness,   ///< h/dt at the start of the step [m/s]
+    edge,        ///< the thickness from which on a film acts, over dt [m/s]
+    untilClosed  ///< impulse of the film where the step closes the contact [N s]
+};
+}
 
 /// A bias that no velocity reaches: keeps far contacts out without an infinity [m/s].
 constexpr double unreachable = 1e30;
@@ -77,11 +99,11 @@ using SweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, BlockRa
 /// them as they were; velocities are those of impulses moved on.
 using MomentumSweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, BlockRange range, double* before, double theta);
 
-/// The same passes where contacts bear moments, which are solved with the impulses; block k of moments belongs to block k of contacts. An evaluation is that
-/// of moments alone, and counts no contact.
-using MomentSweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, MomentBlock* moments, BlockRange range);
-using MomentSweepOnFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, MomentBlock* moments, BlockRange range, double* before, double* momentsBefore, double theta);
-using MomentEvaluateFunction = DefectSums (*)(const Body* bodies, const ContactBlock* blocks, const MomentBlock* moments, BlockRange range);
+/// The same passes where a law is solved with the impulses; block k of the law's belongs to block k of contacts. An evaluation is that of the law's
+/// impulses alone, and counts no contact that carries an impulse.
+using LawSweepFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, LawBlock* ofLaw, BlockRange range);
+using LawSweepOnFunction = DefectSums (*)(Body* bodies, ContactBlock* blocks, LawBlock* ofLaw, BlockRange range, double* before, double* lawBefore, double theta);
+using LawEvaluateFunction = DefectSums (*)(const Body* bodies, const ContactBlock* blocks, const LawBlock* ofLaw, BlockRange range);
 
 /// Replaces the impulses of blocks by `target` (24 numbers a block of the range: x, y, z of eight lanes each), made admissible by
 /// cutting attraction off and scaling the tangential part into the friction disc, and moves the velocities along; `target`
@@ -161,9 +183,9 @@ struct SweepKernels
     SweepFunction sweepHeld;          ///< friction[] of the blocks is the bound of friction itself [N s]
     MomentumSweepFunction sweepOnHeld;
     SweepFunction evaluateHeld;
-    MomentSweepFunction sweepMoments;
-    MomentSweepOnFunction sweepMomentsOn;
-    MomentEvaluateFunction evaluateMoments;
+    LawSweepFunction sweepLaw;        ///< of moments, unless the law in use brings its own
+    LawSweepOnFunction sweepLawOn;
+    LawEvaluateFunction evaluateLaw;
 };
 
 } // namespace nscd

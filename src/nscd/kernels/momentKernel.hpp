@@ -59,9 +59,9 @@ __attribute__((always_inline)) inline typename V::Real inverse(typename V::Real 
 
 /// W_r = a^2/(kappa m_A) + b^2/(kappa m_B) from the sum of both 1/(kappa m) and c, for a + b = 1 and, at a wall, a = b = 1 and no mobility of B.
 template<class V>
-__attribute__((always_inline)) inline typename V::Real momentMobility(const MomentBlock& moments, int first, typename V::Real spin, typename V::Real coupling)
+__attribute__((always_inline)) inline typename V::Real momentMobility(const LawBlock& moments, int first, typename V::Real spin, typename V::Real coupling)
 {
-    const typename V::Real a = V::load(moments.shareA + first), b = V::load(moments.shareB + first);
+    const typename V::Real a = V::load(moments.of[momentLaw::shareA] + first), b = V::load(moments.of[momentLaw::shareB] + first);
     return a*b*spin + (a - b)*coupling;
 }
 
@@ -71,7 +71,7 @@ __attribute__((always_inline)) inline typename V::Real within(typename V::Real x
 /// Local solution of one contact per lane (src/nscd/method.md, "The contact law"): the normal impulse as without moments, which it does not feel; then
 /// friction and the moment's tangential part together, and its part along the normal, which feels nothing else.
 template<class V>
-__attribute__((always_inline)) inline void solveMomentLanes(Body* bodies, ContactBlock& block, MomentBlock& moments, int first, LaneSums<V>& sums)
+__attribute__((always_inline)) inline void solveMomentLanes(Body* bodies, ContactBlock& block, LawBlock& moments, int first, LaneSums<V>& sums)
 {
     using Real = typename V::Real;
     Relative<V> relative;
@@ -83,16 +83,16 @@ __attribute__((always_inline)) inline void solveMomentLanes(Body* bodies, Contac
     if (!V::isAnyPositive(V::max(pn, V::max(dot(r, r), dot(q, q))))) return;
 
     Turning<V> turning;
-    V::loadTurning(bodies, block.a + first, block.b + first, moments.shareA + first, moments.shareB + first, turning);
+    V::loadTurning(bodies, block.a + first, block.b + first, moments.of[momentLaw::shareA] + first, moments.of[momentLaw::shareB] + first, turning);
     const LaneVector<V> w{turning.w[0], turning.w[1], turning.w[2]};
     const Real c = turning.coupling, wr = momentMobility<V>(moments, first, relative.spin, c), invWr = inverse<V>(wr);
     const TangentialLaws<V> at
     {
         r - rn*n, u - un*n, cross(q, n), cross(w, n), c, invWt, invWr, inverse<V>(wr - c*c*invWt),
-        V::load(block.friction + first)*pn, V::load(moments.across + first)*pn
+        V::load(block.friction + first)*pn, V::load(moments.of[momentLaw::across] + first)*pn
     };
     const TangentialPart<V> solved = solveTangential<V>(at);
-    const Real qn = dot(q, n), ofSpin = within<V>(qn - dot(w, n)*invWr, V::load(moments.along + first)*pn);
+    const Real qn = dot(q, n), ofSpin = within<V>(qn - dot(w, n)*invWr, V::load(moments.of[momentLaw::along] + first)*pn);
     // What becomes zero is zero to the bit: sums of what there was and its change would not be.
     const LaneVector<V> newR = pn*n + solved.r, newQ = cross(n, solved.q) + ofSpin*n, dr = newR - r, dq = newQ - q;
 
@@ -103,12 +103,12 @@ __attribute__((always_inline)) inline void solveMomentLanes(Body* bodies, Contac
 
     storeVector<V>(block.r, first, newR);
     storeVector<V>(moments.q, first, newQ);
-    V::pushTurning(bodies, block.a + first, block.b + first, moments.shareA + first, moments.shareB + first, dr, cross(dr, n), dq);
+    V::pushTurning(bodies, block.a + first, block.b + first, moments.of[momentLaw::shareA] + first, moments.of[momentLaw::shareB] + first, dr, cross(dr, n), dq);
 }
 
 /// e = W_r |q - Proj(q - w/W_r)|, both parts.
 template<class V>
-__attribute__((always_inline)) inline void evaluateMomentLanes(const Body* bodies, const ContactBlock& block, const MomentBlock& moments, int first, LaneSums<V>& sums)
+__attribute__((always_inline)) inline void evaluateMomentLanes(const Body* bodies, const ContactBlock& block, const LawBlock& moments, int first, LaneSums<V>& sums)
 {
     using Real = typename V::Real;
     const LaneVector<V> n = loadVector<V>(block.n, first), q = loadVector<V>(moments.q, first);
@@ -118,25 +118,25 @@ __attribute__((always_inline)) inline void evaluateMomentLanes(const Body* bodie
     Relative<V> relative;
     Turning<V> turning;
     V::loadRelative(bodies, block.a + first, block.b + first, relative);
-    V::loadTurning(bodies, block.a + first, block.b + first, moments.shareA + first, moments.shareB + first, turning);
+    V::loadTurning(bodies, block.a + first, block.b + first, moments.of[momentLaw::shareA] + first, moments.of[momentLaw::shareB] + first, turning);
     const LaneVector<V> w{turning.w[0], turning.w[1], turning.w[2]};
     const Real wr = momentMobility<V>(moments, first, relative.spin, turning.coupling), invWr = inverse<V>(wr);
     const Real qn = dot(q, n), wOfSpin = dot(w, n);
     const LaneVector<V> qt = q - qn*n;
-    const LaneVector<V> across = inDisc(qt - invWr*(w - wOfSpin*n), V::load(moments.across + first)*rn) - qt;
-    const Real along = within<V>(qn - wOfSpin*invWr, V::load(moments.along + first)*rn) - qn;
+    const LaneVector<V> across = inDisc(qt - invWr*(w - wOfSpin*n), V::load(moments.of[momentLaw::across] + first)*rn) - qt;
+    const Real along = within<V>(qn - wOfSpin*invWr, V::load(moments.of[momentLaw::along] + first)*rn) - qn;
     sums.addMoment(wr*wr*(dot(across, across) + along*along));
 }
 
-__attribute__((always_inline)) inline void prefetchMoments(const MomentBlock* moments, BlockRange range, std::size_t k)
+__attribute__((always_inline)) inline void prefetchMoments(const LawBlock* moments, BlockRange range, std::size_t k)
 {
     if (k + blocksAhead >= range.count) return;
     const char* lines = reinterpret_cast<const char*>(&moments[range[k + blocksAhead]]);
-    for (std::size_t line = 0; line < sizeof(MomentBlock); line += 64) __builtin_prefetch(lines + line);
+    for (std::size_t line = 0; line < sizeof(LawBlock); line += 64) __builtin_prefetch(lines + line);
 }
 
 template<class V, class Solve>
-inline DefectSums passOverMoments(const Body* bodies, const ContactBlock* blocks, const MomentBlock* moments, BlockRange range, const Solve& solve)
+inline DefectSums passOverMoments(const Body* bodies, const ContactBlock* blocks, const LawBlock* moments, BlockRange range, const Solve& solve)
 {
     LaneSums<V> sums = {V::zero(), V::zero(), V::zero(), V::zero()};
     for (std::size_t k = 0; k < range.count; ++k)
@@ -149,7 +149,7 @@ inline DefectSums passOverMoments(const Body* bodies, const ContactBlock* blocks
 }
 
 template<class V>
-DefectSums sweepMoments(Body* bodies, ContactBlock* blocks, MomentBlock* moments, BlockRange range)
+DefectSums sweepMoments(Body* bodies, ContactBlock* blocks, LawBlock* moments, BlockRange range)
 {
     return passOverMoments<V>(bodies, blocks, moments, range, [=](std::size_t block, std::size_t, LaneSums<V>& sums) __attribute__((always_inline))
     {
@@ -158,7 +158,7 @@ DefectSums sweepMoments(Body* bodies, ContactBlock* blocks, MomentBlock* moments
 }
 
 template<class V>
-DefectSums sweepMomentsOn(Body* bodies, ContactBlock* blocks, MomentBlock* moments, BlockRange range, double* before, double* momentsBefore, double theta)
+DefectSums sweepMomentsOn(Body* bodies, ContactBlock* blocks, LawBlock* moments, BlockRange range, double* before, double* momentsBefore, double theta)
 {
     const Lanes share = Lanes{} + theta;
     return passOverMoments<V>(bodies, blocks, moments, range, [=](std::size_t block, std::size_t k, LaneSums<V>& sums) __attribute__((always_inline))
@@ -170,7 +170,7 @@ DefectSums sweepMomentsOn(Body* bodies, ContactBlock* blocks, MomentBlock* momen
 }
 
 template<class V>
-DefectSums evaluateMoments(const Body* bodies, const ContactBlock* blocks, const MomentBlock* moments, BlockRange range)
+DefectSums evaluateMoments(const Body* bodies, const ContactBlock* blocks, const LawBlock* moments, BlockRange range)
 {
     return passOverMoments<V>(bodies, blocks, moments, range, [=](std::size_t block, std::size_t, LaneSums<V>& sums) __attribute__((always_inline))
     {

@@ -20,6 +20,16 @@ void checkNotNegative(const char* name, double value)
     if (!(value >= 0.0) || !std::isfinite(value)) throw invalidValue(name, value, "a finite value >= 0");
 }
 
+void checkFilm(const ContactPair& pair)
+{
+    checkNotNegative("roughness", pair.roughness);
+    checkNotNegative("lubrication range", pair.lubricationRange);
+    checkNotNegative("lubrication viscosity", pair.lubricationViscosity);
+    if (pair.roughness > 0.0 && !(pair.lubricationRange > 0.0)) throw invalidValue("lubrication range", pair.lubricationRange, "more than 0 where there is a roughness");
+}
+
+bool isFilmWithoutViscosity(const ContactPair& pair) { return pair.roughness > 0.0 && pair.lubricationViscosity == 0.0; }
+
 } // namespace
 
 int Materials::add(const std::string& name)
@@ -53,6 +63,7 @@ void Materials::setPair(int a, int b, const ContactPair& pair)
     checkNotNegative("spinning friction", pair.spinningFriction);
     checkNotNegative("cohesion", pair.cohesion);
     checkNotNegative("cohesion range", pair.cohesionRange);
+    checkFilm(pair);
     if (!(pair.restitution >= 0.0 && pair.restitution <= 1.0))
     {
         throw invalidValue("restitution", pair.restitution, "0 to 1");
@@ -96,6 +107,29 @@ bool Materials::anyRolling() const
 bool Materials::anyCohesion() const
 {
     return std::any_of(pairs_.begin(), pairs_.end(), [](const ContactPair& p) { return p.cohesion > 0.0; });
+}
+
+bool Materials::anyRoughness() const
+{
+    return std::any_of(pairs_.begin(), pairs_.end(), [](const ContactPair& p) { return p.roughness > 0.0; });
+}
+
+bool Materials::lacksFilmViscosity() const { return std::any_of(pairs_.begin(), pairs_.end(), isFilmWithoutViscosity); }
+
+void Materials::setFilmViscosity(double viscosity)
+{
+    checkNotNegative("lubrication viscosity", viscosity);
+    for (ContactPair& pair : pairs_)
+    {
+        if (isFilmWithoutViscosity(pair)) pair.lubricationViscosity = viscosity;
+    }
+}
+
+double Materials::lubricationRange() const
+{
+    double largest = 0.0;
+    for (const ContactPair& p : pairs_) largest = p.roughness > 0.0 ? std::max(largest, p.lubricationRange) : largest;
+    return largest;
 }
 
 double Materials::cohesionRange() const

@@ -19,6 +19,9 @@ struct ContactPair
     double spinningFriction = 0.0;  ///< mu_s >= 0: likewise
     double cohesion = 0.0;          ///< attraction of a closed contact, the force that pulls it off, >= 0 [N]
     double cohesionRange = 0.0;     ///< gap up to which it acts on open contacts too, >= 0 [m]
+    double roughness = 0.0;         ///< thickness of the film of fluid that is left where surfaces touch, >= 0 [m]; 0: no film, see lubrication.hpp
+    double lubricationRange = 0.0;  ///< gap up to which a film acts, > 0 where there is one [m]
+    double lubricationViscosity = 0.0;  ///< dynamic viscosity of the film's fluid, >= 0 [Pa s]; 0: no film
 };
 
 /// Named materials with a symmetric table of pairs; a pair nobody set is frictionless, inelastic, and does not cohere.
@@ -50,6 +53,14 @@ public:
     bool anyCohesion() const;
     /// Largest range of any pair that coheres [m].
     double cohesionRange() const;
+    /// Whether any pair has films of lubrication.
+    bool anyRoughness() const;
+    /// Whether any film has no viscosity yet.
+    bool lacksFilmViscosity() const;
+    /// Of films that have none yet [Pa s].
+    void setFilmViscosity(double viscosity);
+    /// Largest range of any pair with a film [m].
+    double lubricationRange() const;
 
 private:
     std::vector<std::string> names_;

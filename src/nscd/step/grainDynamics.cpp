@@ -137,7 +137,8 @@ ContactProblem GrainDynamics::Implementation::makeProblem(double speedScale)
         list.position
     };
     problem.massRatio = massRatio;
-    problem.moments = list.laws.moments();
+    problem.lawBlocks = list.laws.sweptBlocks();
+    problem.areFilms = materials.anyRoughness();
     problem.general = list.general.empty() ? nullptr : &list.general;
     problem.packing = &packing;
     problem.freeVelocity = &freeVelocity;
@@ -162,6 +163,7 @@ SolveReport GrainDynamics::Implementation::solveBy
 {
     const auto timer = times.time(GrainPart::solveContacts);
     SolveReport report = solveWhereAwake(problem, asked, solver);
+    list.laws.endSolve();
     if (!report.converged) report.createdEnergy = createdEnergy(external, report);
     return report;
 }

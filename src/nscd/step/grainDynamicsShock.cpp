@@ -21,10 +21,11 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     inelastic.general = list.general.bodies;
     setFreeVelocities(list, grains, external, deltaT, sleep);
     if (!list.general.empty()) mirrorFreeGeneral(list, list.bodies);
+    list.laws.beginShock(list);
     const std::vector<Body> freeBodies = std::move(list.bodies);
     list.bodies = inelastic.bodies;
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
-    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, deadBand())) return;
+    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, materials.anyRoughness() ? 0.0 : deadBand())) return;
 
     ContactProblem problem = makeProblem(external.speedScale);
     problem.times = nullptr;   // all of it is the rebound

@@ -22,8 +22,10 @@ namespace
 constexpr double fewCandidates = 0.5, manyCandidates = 2.0;
 constexpr double mostStepsPerList = 64.0;
 
-void refuseBesideLaws(const ContactSettings& settings, const Materials& materials)
+void refuseBesideLaws(const ContactSettings& settings, const Materials& materials, bool areDiscs)
 {
+    if (areDiscs && materials.anyRoughness()) throw invalidValue("lubrication", "set", "none between discs");
+    if (materials.anyRolling() && materials.anyRoughness()) throw invalidValue("lubrication", "set", "none where there is rolling or spinning friction");
     for (const ContactLawRow* law : lawsInUse(materials))
     {
         if (!law->isSwept || settings.solver == "NLGS") continue;
@@ -47,6 +49,7 @@ void GrainDynamics::Implementation::chooseKernelsOfStep()
     const int axis = grains.shape.emptyAxis;
     const bool isPlanar = isFrictional && axis >= 0 && isInPlane(list, axis);
     kernelsOfStep = isPlanar ? planar(kernels, axis) : kernels;
+    list.laws.chooseKernels(kernelsOfStep);
 }
 
 GrainDynamics::GrainDynamics
@@ -77,7 +80,7 @@ GrainDynamics::GrainDynamics
     }
     self_->solve = solver.solve;
     self_->kernels = chooseKernels(settings.vectorPath.c_str());
-    refuseBesideLaws(settings, self_->materials);
+    refuseBesideLaws(settings, self_->materials, self_->grains.shape.dimensions == 2);
     checkGeneralBodies(self_->grains, self_->box, settings, self_->materials);
     // Whatever acts on spins.
     self_->isFrictional = actsOnSpins(self_->materials);

@@ -534,6 +534,12 @@ TEST(Program, aRunWithRollingFrictionAndCohesionGoesOnFromAWrittenTimeAsIfNeverS
     EXPECT_EQ(filesThatDiffer(properties, "", files), std::vector<std::string>());
 }
 
+TEST(Program, aRunWithFilmsBetweenGrainsGoesOnFromAWrittenTimeAsIfNeverStopped)
+{
+    const std::string plain = "friction 0.3; restitution 0.4;";
+    EXPECT_EQ(filesThatDiffer(with(restingGrains, plain, plain + " roughness 1e-5; lubricationRange 1e-3;"), "", stateFiles), std::vector<std::string>());
+}
+
 TEST(Program, aCoupledRunGoesOnFromAWrittenTimeAsIfNeverStopped)
 {
     std::vector<std::string> files = stateFiles;
@@ -546,6 +552,13 @@ TEST(Program, aRunWithLiftGoesOnFromAWrittenTimeAsIfNeverStopped)
     std::vector<std::string> files = stateFiles;
     for (const char* field : {"lagrangian/grains/fFluid", "U", "p_rgh"}) files.push_back(field);
     EXPECT_EQ(filesThatDiffer(restingGrains + "forces { saffmanLift on; magnusLift on; }", "", files), std::vector<std::string>());
+}
+
+TEST(Program, aRunWithAHistoryOfSlipsGoesOnFromAWrittenTimeAsIfNeverStopped)
+{
+    std::vector<std::string> files = stateFiles;
+    for (const char* field : {"lagrangian/grains/slipHistory12", "U", "p_rgh"}) files.push_back(field);
+    EXPECT_EQ(filesThatDiffer(restingGrains + "forces { addedMass on; basset on; }", "", files), std::vector<std::string>());
 }
 
 TEST(Program, aRunWithAdjustedStepsGoesOnFromAWrittenTimeAsIfNeverStopped)

@@ -300,7 +300,7 @@ TEST(Ranks, addMassToGrainsAsOneRankDoes)
 {
     const std::string heap = wetHeap + closed + "voidFraction { filterWidth 0; }";
     const std::string law = "drag { law Gidaspow; }";
-    expectSameMotionOnRanks(heap + "forces { " + law + " }", {{"constant/grainProperties", heap + "forces { addedMass on; " + law + " }"}});
+    expectSameMotionOnRanks(heap + "forces { " + law + " }", {{"constant/grainProperties", heap + "forces { addedMass on; basset on; " + law + " }"}});
 }
 
 /// A force on the fluid, whose pressure pushes the grains, and fluid from a point in one corner.

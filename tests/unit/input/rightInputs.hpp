@@ -36,6 +36,7 @@ inline std::vector<Right> rightInputs()
         {"quotedWords", "type NLGS", "type \"NLGS\""},
         {"quotedName", "{ glass", "{ \"glass\""},
         {"laws", "restitution 0.2;", "rollingFriction 0.05; spinningFriction 0.02; cohesion [1 1 -2 0 0 0 0] 1e-4; cohesionRange 1e-5;"},
+        {"films", "restitution 0.2;", "roughness 1e-6; lubricationRange 1e-4; lubricationViscosity [1 -1 -1 0 0 0 0] 1e-3;"},
         {"namedPair", "contacts  { ", "contacts  { steel-glass { friction 0.2; restitution 0.9; } "},
         {"severalSources", "{ type lattice; box (0 0 0) (0.06 0.06 0.08); count (5 5 5); diameter 0.01; spread 0.2; jitter 0.5; }",
             "{ b { type lattice; box (0.01 0.01 0.1) (0.05 0.05 0.14); spacing 0.02; diameter 0.012; motion fixed; seed 3; }"
@@ -97,7 +98,8 @@ inline std::string everythingOf(const input::Scene& scene)
         {
             const nscd::ContactPair& pair = materials.table.pair(a, b);
             os << materials.table.isPairSet(a, b) << ' ' << pair.friction << ' ' << pair.restitution << ' ' << pair.rollingFriction << ' '
-               << pair.spinningFriction << ' ' << pair.cohesion << ' ' << pair.cohesionRange << '\n';
+               << pair.spinningFriction << ' ' << pair.cohesion << ' ' << pair.cohesionRange << ' '
+               << pair.roughness << ' ' << pair.lubricationRange << ' ' << pair.lubricationViscosity << '\n';
         }
     }
     for (const nscd::WallPatch& patch : scene.walls.patches)

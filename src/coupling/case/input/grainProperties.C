@@ -86,6 +86,7 @@ const std::vector<std::pair<const char*, bool>> forceSwitches =
     {"viscous", true},
     {"spinDrag", true},
     {"addedMass", false},
+    {"basset", false},
     {"saffmanLift", false},
     {"magnusLift", false}
 };
@@ -99,7 +100,7 @@ void applyModelB(const CheckedEntries& given, ForceSettings& settings)
         if (given.found(force) && settings.isOn(force)) given.reject(force, "belongs to model A; model B has it in the drag", "off, or no such entry");
         settings.switches[force].isOn = false;
     }
-    for (const char* force : {"addedMass", "saffmanLift", "magnusLift"})
+    for (const char* force : {"addedMass", "basset", "saffmanLift", "magnusLift"})
     {
         if (settings.isOn(force)) given.reject(force, "is not part of model B, which is defined for drag", "off, or model A");
     }

@@ -5,6 +5,7 @@
 #include "coupling/step/forces/forceTable.H"
 
 #include "coupling/step/forces/addedMass.H"
+#include "coupling/step/forces/bassetForce.H"
 #include "coupling/step/forces/drag.H"
 #include "coupling/step/forces/fieldForce.H"
 #include "coupling/step/forces/magnusLift.H"
@@ -30,6 +31,7 @@ const std::vector<ForceRow>& forceTable()
         {"pressureGradient",  switched,   needs::fluid,                                   forces::pressureForce},
         {"viscous",           switched,   needs::fluid,                                   forces::viscousForce},
         {"addedMass",         switched,   needs::fluid,                                   forces::addedMass},  // drag reads its mass
+        {"basset",            switched,   needs::fluid | needs::spheres,                  forces::bassetForce},  // likewise
         {"drag",              switched,   needs::fluid,                                   forces::drag},
         {"spinDrag",          switched,   needs::fluid | needs::dragLaw | needs::turning, forces::spinDrag},
         {"saffmanLift",       switched,   needs::fluid | needs::spheres,                  forces::saffmanLift},

@@ -134,6 +134,7 @@ LinearDrag GrainForces::linearize(const ForceInputs& in, const StepInputs& step)
     {
         if (force.linearize) force.linearize(in, step, drag);
     }
+    drag.shareInertia(step.deltaT);
     setVelocityFactor(drag, in.grains, step.deltaT);
     return drag;
 }
@@ -150,6 +151,7 @@ LinearDrag GrainForces::splitAgain(const ::nscd::Grains& grains, const LinearDra
     {
         if (force.splitAgain) force.splitAgain(grains, whole, deltaT, part);
     }
+    part.shareInertia(deltaT);
     setVelocityFactor(part, grains, deltaT);
     return part;
 }

@@ -5,6 +5,7 @@
 #include "nscd/contacts/contactLaw.hpp"
 
 #include "nscd/contacts/laws/cohesion.hpp"
+#include "nscd/contacts/laws/lubrication.hpp"
 #include "nscd/contacts/laws/rollingFriction.hpp"
 
 #include <algorithm>
@@ -27,12 +28,16 @@ const std::vector<ContactLawRow>& contactLaws()
     static const std::vector<ContactLawRow> rows =
     {
         {
-            "cohesion", nullptr, false, true,
+            "cohesion", nullptr, false, false, true,
             [](const Materials& m) { return m.anyCohesion(); }, [](const Materials& m) { return m.cohesionRange(); }, make<Cohesion>
         },
         {
-            "rolling or spinning friction", "rolling", true, false,
+            "rolling or spinning friction", "rolling", true, true, false,
             [](const Materials& m) { return m.anyRolling(); }, none, make<RollingFriction>
+        },
+        {
+            "lubrication", nullptr, true, false, false,
+            [](const Materials& m) { return m.anyRoughness(); }, [](const Materials& m) { return m.lubricationRange(); }, make<Lubrication>
         }
     };
     return rows;
@@ -58,7 +63,7 @@ double rangeOfLaws(const Materials& materials)
 bool actsOnSpins(const Materials& materials)
 {
     const std::vector<const ContactLawRow*> used = lawsInUse(materials);
-    return materials.anyFriction() || std::any_of(used.begin(), used.end(), [](const ContactLawRow* row) { return row->isSwept; });
+    return materials.anyFriction() || std::any_of(used.begin(), used.end(), [](const ContactLawRow* row) { return row->isOfSpins; });
 }
 
 } // namespace nscd

@@ -36,24 +36,24 @@ void add(double (&to)[3], const Vec3& change)
 }
 
 /// Cut to what the contact's normal impulse allows.
-Vec3 admissible(const Vec3& q, const ContactBlock& block, const MomentBlock& moments, int lane)
+Vec3 admissible(const Vec3& q, const ContactBlock& block, const LawBlock& moments, int lane)
 {
     const Vec3 n = vec3(block.n, lane);
     const double rn = std::max(0.0, n.dot(vec3(block.r, lane))), qn = n.dot(q);
-    return inDisc(q - qn*n, moments.across[lane]*rn) + within(qn, moments.along[lane]*rn)*n;
+    return inDisc(q - qn*n, moments.of[momentLaw::across][lane]*rn) + within(qn, moments.of[momentLaw::along][lane]*rn)*n;
 }
 
 } // namespace
 
 void RollingFriction::set(std::size_t slot, const ContactPair& pair, double radiusA, double radiusB)
 {
-    MomentBlock& block = blocks_[slot/blockLanes];
+    LawBlock& block = blocks_[slot/blockLanes];
     const int lane = slot % blockLanes;
     nscd::set(block.q, lane, Vec3::Zero());
-    block.across[lane] = pair.rollingFriction;
-    block.along[lane] = pair.spinningFriction;
-    block.shareB[lane] = radiusB > 0.0 ? radiusA/(radiusA + radiusB) : 1.0;
-    block.shareA[lane] = radiusB > 0.0 ? 1.0 - block.shareB[lane] : 1.0;
+    block.of[momentLaw::across][lane] = pair.rollingFriction;
+    block.of[momentLaw::along][lane] = pair.spinningFriction;
+    block.of[momentLaw::shareB][lane] = radiusB > 0.0 ? radiusA/(radiusA + radiusB) : 1.0;
+    block.of[momentLaw::shareA][lane] = radiusB > 0.0 ? 1.0 - block.of[momentLaw::shareB][lane] : 1.0;
 }
 
 void RollingFriction::copy(const ContactLaw& from, std::size_t source, std::size_t target)
@@ -68,13 +68,13 @@ void RollingFriction::startWarm(ContactList& list, double scale)
         if (impulse(slot) == Vec3::Zero()) continue;
         const int lane = slot % blockLanes;
         const ContactBlock& block = list.blocks[slot/blockLanes];
-        MomentBlock& moments = blocks_[slot/blockLanes];
+        LawBlock& moments = blocks_[slot/blockLanes];
         const Vec3 q = admissible(scale*impulse(slot), block, moments, lane);
         nscd::set(moments.q, lane, q);
         Body& a = list.bodies[block.a[lane]];
         Body& b = list.bodies[block.b[lane]];
-        add(a.s, a.invSpin*moments.shareA[lane]*q);
-        add(b.s, -b.invSpin*moments.shareB[lane]*q);
+        add(a.s, a.invSpin*moments.of[momentLaw::shareA][lane]*q);
+        add(b.s, -b.invSpin*moments.of[momentLaw::shareB][lane]*q);
     }
 }
 
@@ -84,7 +84,7 @@ void RollingFriction::setImpulse(std::size_t slot, const Vec3& q) { nscd::set(bl
 
 Vec3 RollingFriction::moment(const ContactList& list, std::size_t slot) const
 {
-    return list.radius[list.blocks[slot/blockLanes].a[slot % blockLanes]]*blocks_[slot/blockLanes].shareA[slot % blockLanes]*impulse(slot);
+    return list.radius[list.blocks[slot/blockLanes].a[slot % blockLanes]]*blocks_[slot/blockLanes].of[momentLaw::shareA][slot % blockLanes]*impulse(slot);
 }
 
 void RollingFriction::addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const

@@ -20,14 +20,14 @@ namespace nscd
 class RollingFriction : public ContactLaw
 {
 public:
-    void resize(std::size_t slots) override { blocks_.resize((slots + blockLanes - 1)/blockLanes, MomentBlock()); }
+    void resize(std::size_t slots) override { blocks_.resize((slots + blockLanes - 1)/blockLanes, LawBlock()); }
     void copy(const ContactLaw& from, std::size_t source, std::size_t target) override;
     void set(std::size_t slot, const ContactPair& pair, double radiusA, double radiusB) override;
 
     /// Last step's moments times `scale`, turned into the present tangent planes and cut to what the impulses allow.
     void startWarm(ContactList& list, double scale) override;
 
-    std::vector<MomentBlock>* moments() override { return &blocks_; }
+    std::vector<LawBlock>* sweptBlocks() override { return &blocks_; }
 
     void addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const override;
     /// R' q.
@@ -37,7 +37,7 @@ public:
     void setImpulse(std::size_t slot, const Vec3& q) override;
 
 private:
-    std::vector<MomentBlock> blocks_;   ///< `across` holds mu_r, `along` mu_s
+    std::vector<LawBlock> blocks_;   ///< `across` holds mu_r, `along` mu_s
 };
 
 } // namespace nscd

@@ -112,7 +112,7 @@ MotionComponents DirectSolve::components() const
 
 bool DirectSolve::isWithinReach() const
 {
-    return !slots_.empty() && !problem_.moments && std::all_of(slots_.begin(), slots_.end(), [&](std::size_t slot)
+    return !slots_.empty() && !problem_.lawBlocks && std::all_of(slots_.begin(), slots_.end(), [&](std::size_t slot)
     {
         const SlotView view(problem_, slot);
         return view.block.friction[view.lane] <= largestFriction;

@@ -46,7 +46,7 @@ ClusterSolve::Vector ClusterSolve::naturalMap(const Vector& r, const Vector& u) 
         };
         f[at(k)] = wn_[k]*(r[at(k)] - p);
         setDisc(at(k) + 1, wt_[k], friction_[k]*p);
-        if (!problem_.moments) continue;
+        if (!problem_.lawBlocks) continue;
         f[moment(k)] = wr_[k]*(r[moment(k)] - within(r[moment(k)] - u[moment(k)]/wr_[k], along_[k]*p));
         setDisc(moment(k) + 1, wr_[k], across_[k]*p);
     }
@@ -99,7 +99,7 @@ ClusterSolve::Matrix ClusterSolve::derivative() const
         if (isClosed) jacobian.row(at(k)) = W_.row(at(k));
         jacobian(at(k), at(k)) += isClosed ? proximal*wn_[k] : wn_[k];
         addDisc(jacobian, k, at(k) + 1, wt_[k], friction_[k]);
-        if (!problem_.moments) continue;
+        if (!problem_.lawBlocks) continue;
         addSpinning(jacobian, k);
         addDisc(jacobian, k, moment(k) + 1, wr_[k], across_[k]);
     }
@@ -144,7 +144,7 @@ void ClusterSolve::sweep()
         change.tail<2>() = inDisc(r_.segment<2>(at(k) + 1) - u_.segment<2>(at(k) + 1)/wt_[k], friction_[k]*p) - r_.segment<2>(at(k) + 1);
         r_.segment<3>(at(k)) += change;
         u_ += W_.middleCols<3>(at(k))*change;
-        if (problem_.moments) sweepMoment(k, p);
+        if (problem_.lawBlocks) sweepMoment(k, p);
     }
 }
 

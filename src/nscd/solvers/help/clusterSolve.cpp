@@ -33,8 +33,8 @@ std::array<int, 2> bodiesOf(const ContactProblem& problem, std::uint32_t slot)
 /// Shares of both bodies' spins in a moment, with their signs: a, -b.
 std::array<double, 2> sharesOf(const ContactProblem& problem, std::uint32_t slot)
 {
-    const MomentBlock& block = (*problem.moments)[slot/blockLanes];
-    return {block.shareA[slot % blockLanes], -block.shareB[slot % blockLanes]};
+    const LawBlock& block = (*problem.lawBlocks)[slot/blockLanes];
+    return {block.of[momentLaw::shareA][slot % blockLanes], -block.of[momentLaw::shareB][slot % blockLanes]};
 }
 
 } // namespace
@@ -59,13 +59,13 @@ ClusterSolve::ClusterSolve(ContactProblem& problem, std::vector<std::uint32_t> s
     for (int k = 0; k < size_; ++k)
     {
         read(k);
-        if (problem.moments) readMoment(k);
+        if (problem.lawBlocks) readMoment(k);
     }
     for (int k = 0; k < size_; ++k)
     for (int m = 0; m < size_; ++m)
     {
         W_.block<3, 3>(at(k), at(m)) = mobility(k, m);
-        if (problem.moments) setMomentMobility(k, m);
+        if (problem.lawBlocks) setMomentMobility(k, m);
     }
     f_ = naturalMap(r_, u_);
 }
@@ -91,10 +91,10 @@ void ClusterSolve::readMoment(int k)
 {
     const auto [a, b] = bodiesOf(problem_, slots_[k]);
     const std::array<double, 2> share = sharesOf(problem_, slots_[k]);
-    const MomentBlock& block = (*problem_.moments)[slots_[k]/blockLanes];
+    const LawBlock& block = (*problem_.lawBlocks)[slots_[k]/blockLanes];
     const int lane = slots_[k] % blockLanes;
-    across_[k] = block.across[lane];
-    along_[k] = block.along[lane];
+    across_[k] = block.of[momentLaw::across][lane];
+    along_[k] = block.of[momentLaw::along][lane];
     r_.segment<3>(moment(k)) = frame_[k]*vec3(block.q, lane);
     u_.segment<3>(moment(k)) = frame_[k]*(share[0]*Vec3(problem_.bodies[a].s) + share[1]*Vec3(problem_.bodies[b].s));
     wr_[k] = share[0]*share[0]*problem_.bodies[a].invSpin + share[1]*share[1]*problem_.bodies[b].invSpin;
@@ -151,13 +151,13 @@ void ClusterSolve::give()
         const double n[3] = {block.n[0][lane], block.n[1][lane], block.n[2][lane]};
         for (int i = 0; i < 3; ++i) block.r[i][lane] += change[i];
         applyImpulse(problem_.bodies[block.a[lane]], problem_.bodies[block.b[lane]], n, change.data());
-        if (problem_.moments) giveMoment(k);
+        if (problem_.lawBlocks) giveMoment(k);
     }
 }
 
 void ClusterSolve::giveMoment(int k)
 {
-    MomentBlock& block = (*problem_.moments)[slots_[k]/blockLanes];
+    LawBlock& block = (*problem_.lawBlocks)[slots_[k]/blockLanes];
     const int lane = slots_[k] % blockLanes;
     const Vec3 change = frame_[k].transpose()*r_.segment<3>(moment(k)) - vec3(block.q, lane);
     const std::array<int, 2> bodies = bodiesOf(problem_, slots_[k]);

@@ -38,7 +38,7 @@ private:
     using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
-    static int unknowns(const ContactProblem& problem) { return problem.moments ? 6 : 3; }
+    static int unknowns(const ContactProblem& problem) { return problem.lawBlocks ? 6 : 3; }
     int at(int k) const { return unknowns_*k; }
     int moment(int k) const { return unknowns_*k + 3; }
     double pressing(int k, const Vector& r, const Vector& u) const;

@@ -73,14 +73,14 @@ void PackedContacts::append(const std::vector<std::uint32_t>& slots, int staticB
 
     const std::size_t before = blocks_.size();
     blocks_.resize(before + batches.blocks, emptyBlock(staticBody));
-    if (homeMoments_) moments_.resize(blocks_.size(), MomentBlock());
+    if (homeLaw_) ofLaw_.resize(blocks_.size(), LawBlock());
     slotOf_.resize(blocks_.size()*blockLanes, noSlot);
     for (std::size_t k = 0; k < slots.size(); ++k)
     {
         const std::size_t place = before*blockLanes + batches.slotOf[k];
         ContactBlock& from = home[slots[k]/blockLanes];
         copyLane(from, slots[k] % blockLanes, blocks_[place/blockLanes], place % blockLanes);
-        if (homeMoments_) copyLane((*homeMoments_)[slots[k]/blockLanes], slots[k] % blockLanes, moments_[place/blockLanes], place % blockLanes);
+        if (homeLaw_) copyLane((*homeLaw_)[slots[k]/blockLanes], slots[k] % blockLanes, ofLaw_[place/blockLanes], place % blockLanes);
         putOutOfReach(from, slots[k] % blockLanes);
         slotOf_[place] = slots[k];
     }
@@ -92,9 +92,9 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
 {
     const StepTimes::Timer timer(whole.times, GrainPart::packContacts);
     home_ = &whole.blocks;
-    homeMoments_ = whole.moments;
+    homeLaw_ = whole.lawBlocks;
     blocks_.clear();
-    moments_.clear();
+    ofLaw_.clear();
     slotOf_.clear();
     awake_.clear();
     const int staticBody = static_cast<int>(whole.bodies.size()) - 1;
@@ -105,7 +105,8 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
     {
         const ContactBlock& block = whole.blocks[k];
         if (block.a[lane] == staticBody) continue;
-        const bool isPacked = block.bias[lane] == 0.0 || isLoaded(block, lane) || isClosing(whole.bodies, block, lane, margin);
+        const bool hasFilm = whole.areFilms && (*whole.lawBlocks)[k].of[filmLaw::strength][lane] > 0.0;
+        const bool isPacked = hasFilm || block.bias[lane] == 0.0 || isLoaded(block, lane) || isClosing(whole.bodies, block, lane, margin);
         if (isPacked) slots.push_back(k*blockLanes + static_cast<std::uint32_t>(lane));
     }
     append(slots, staticBody);
@@ -117,7 +118,8 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
     packed.motion = whole.motion;
     packed.isDriven = whole.isDriven;
     packed.massRatio = whole.massRatio;
-    packed.moments = whole.moments ? &moments_ : nullptr;
+    packed.areFilms = whole.areFilms;
+    packed.lawBlocks = whole.lawBlocks ? &ofLaw_ : nullptr;
     packed.leftOut = this;
     packed.freeVelocity = whole.freeVelocity;
     packed.times = whole.times;
@@ -160,7 +162,7 @@ void PackedContacts::giveBack(ContactProblem& whole) const
         ContactBlock& to = whole.blocks[slotOf_[place]/blockLanes];
         const std::size_t lane = place % blockLanes, home = slotOf_[place] % blockLanes;
         for (int k = 0; k < 3; ++k) to.r[k][home] = from.r[k][lane];
-        for (int k = 0; k < 3 && homeMoments_; ++k) (*homeMoments_)[slotOf_[place]/blockLanes].q[k][home] = moments_[place/blockLanes].q[k][lane];
+        for (int k = 0; k < 3 && homeLaw_; ++k) (*homeLaw_)[slotOf_[place]/blockLanes].q[k][home] = ofLaw_[place/blockLanes].q[k][lane];
         to.bias[home] = from.bias[lane];
         isAwake[slotOf_[place]/blockLanes] = 1;
     }

@@ -37,8 +37,8 @@ private:
     int lastSweeps_ = 0;
     std::vector<ContactBlock>* home_ = nullptr;
     std::vector<ContactBlock> blocks_;
-    std::vector<MomentBlock>* homeMoments_ = nullptr;   ///< null where contacts bear none
-    std::vector<MomentBlock> moments_;
+    std::vector<LawBlock>* homeLaw_ = nullptr;   ///< null where contacts bear none
+    std::vector<LawBlock> ofLaw_;
     std::vector<std::uint32_t> awake_;    ///< all of them
     std::vector<std::uint32_t> slotOf_;   ///< of each packed lane; lanes that are not used have none
 };

@@ -31,7 +31,7 @@ bool isMovable(const ContactProblem& problem, std::int32_t body) { return proble
 
 bool haveStiffClusters(const ContactProblem& problem, const SolverStrategy::Clusters& strategy)
 {
-    return strategy.isOn && problem.massRatio >= strategy.leastMassRatio;
+    return strategy.isOn && !problem.areFilms && problem.massRatio >= strategy.leastMassRatio;
 }
 
 StiffClusters::StiffClusters(ContactProblem& problem, const SolverStrategy::Clusters& strategy)
@@ -96,7 +96,7 @@ std::vector<std::uint32_t> StiffClusters::around(std::uint32_t seed)
         }
     };
     add(seed);
-    const std::size_t least = problem_.moments ? strategy_.contactsWithMoments : strategy_.contacts;
+    const std::size_t least = problem_.lawBlocks ? strategy_.contactsWithMoments : strategy_.contacts;
     while (!next.empty() && slots.size() < least)
     {
         const std::int32_t body = next.top().second;

@@ -88,25 +88,25 @@ double SweepMomentum::nextTheta(bool isNear)
 void SweepMomentum::keepImage()
 {
     gatherImpulses(problem_.blocks, problem_.active(), image_);
-    gatherMoments();
+    gatherLaw();
     bodies_ = problem_.bodies;
     hasImage_ = true;
 }
 
-void SweepMomentum::gatherMoments()
+void SweepMomentum::gatherLaw()
 {
-    if (!problem_.moments) return;
+    if (!problem_.lawBlocks) return;
     const BlockRange active = problem_.active();
-    moments_.resize(blockSize*active.count);
-    for (std::size_t k = 0; k < active.count; ++k) std::copy_n(&(*problem_.moments)[active[k]].q[0][0], blockSize, moments_.data() + k*blockSize);
+    ofLaw_.resize(blockSize*active.count);
+    for (std::size_t k = 0; k < active.count; ++k) std::copy_n(&(*problem_.lawBlocks)[active[k]].q[0][0], blockSize, ofLaw_.data() + k*blockSize);
 }
 
-void SweepMomentum::extrapolateMoments(double theta)
+void SweepMomentum::extrapolateLaw(double theta)
 {
     const BlockRange active = problem_.active();
-    for (std::size_t k = 0; problem_.moments && k < active.count; ++k)
+    for (std::size_t k = 0; problem_.lawBlocks && k < active.count; ++k)
     {
-        double *const q = &(*problem_.moments)[active[k]].q[0][0], *const before = moments_.data() + k*blockSize;
+        double *const q = &(*problem_.lawBlocks)[active[k]].q[0][0], *const before = ofLaw_.data() + k*blockSize;
         for (int i = 0; i < blockSize; ++i)
         {
             const double now = q[i];
@@ -124,11 +124,11 @@ void SweepMomentum::extrapolate(double theta)
     if (kind_ == Kind::flowing)
     {
         // The sweep that follows comes by all blocks anyway.
-        forNextSweep_ = {image_.data(), moments_.data(), theta};
+        forNextSweep_ = {image_.data(), ofLaw_.data(), theta};
         return;
     }
     kernels.extrapolate(problem_.blocks.data(), problem_.active(), image_.data(), theta);
-    extrapolateMoments(theta);
+    extrapolateLaw(theta);
     gatherImpulses(problem_.blocks, problem_.active(), start_);
 }
 
@@ -152,7 +152,7 @@ void SweepMomentum::grow()
 {
     const std::size_t numbers = blockSize*problem_.active().count;
     if (!image_.empty()) image_.resize(numbers, 0.0);
-    if (!moments_.empty()) moments_.resize(numbers, 0.0);
+    if (!ofLaw_.empty()) ofLaw_.resize(numbers, 0.0);
     if (!start_.empty()) start_.resize(numbers, 0.0);
 }
 
@@ -164,7 +164,7 @@ void SweepMomentum::revert()
     {
         const double* const held = image_.data() + k*blockSize;
         std::copy(held, held + blockSize, &problem_.blocks[active[k]].r[0][0]);
-        if (problem_.moments) std::copy_n(moments_.data() + k*blockSize, blockSize, &(*problem_.moments)[active[k]].q[0][0]);
+        if (problem_.lawBlocks) std::copy_n(ofLaw_.data() + k*blockSize, blockSize, &(*problem_.lawBlocks)[active[k]].q[0][0]);
     }
     problem_.bodies = bodies_;
 }

@@ -12,7 +12,7 @@
 namespace nscd
 {
 
-/// Accelerated sweeps: r_k = F(y_k), F one sweep; y_{k+1} = r_k + theta (r_k - r_{k-1}), moments and velocities likewise, since these are linear in both. y may
+/// Accelerated sweeps: r_k = F(y_k), F one sweep; y_{k+1} = r_k + theta (r_k - r_{k-1}), impulses of laws and velocities likewise, since these are linear in both. y may
 /// lie outside of the friction cones: a sweep over spheres asks what acts on a contact beside its own impulse, so r_{k+1} does not.
 /// falling: theta = min((t - 1)/t', limit), t' = (1 + sqrt(1 + 4 t^2))/2 (Nesterov 1983), with t = 1 again where (y - r).W_nn (r_k - r_{k-1}) > 0
 /// (O'Donoghue & Candes 2015, gradient scheme). Deviations: a sweep takes the place of a gradient step; the limit 1 - 1.2/depth, depth of the
@@ -47,8 +47,8 @@ private:
     double nextTheta(bool isNear);
     double uphill() const;
     void keepImage();
-    void gatherMoments();
-    void extrapolateMoments(double theta);
+    void gatherLaw();
+    void extrapolateLaw(double theta);
     void extrapolate(double theta);
     void extrapolateImpulsesAlone(double theta);
 
@@ -59,7 +59,7 @@ private:
     double pace_ = 1.0;   ///< t
     bool hasImage_ = false;
     Impulses image_;      ///< r_k
-    Impulses moments_;    ///< of r_k, numbered likewise, where contacts bear any
+    Impulses ofLaw_;    ///< of r_k, numbered likewise, where contacts bear any
     std::vector<Body> bodies_;   ///< with the velocities of r_k
     Impulses start_;      ///< y, where it is asked for
     SweepOn forNextSweep_;

@@ -37,23 +37,23 @@ void add(DefectSums& sums, const DefectSums& more)
 SweepOn behind(const SweepOn& on, std::size_t blocks)
 {
     const std::size_t numbers = 3*blockLanes*blocks;
-    return {on.before ? on.before + numbers : nullptr, on.momentsBefore ? on.momentsBefore + numbers : nullptr, on.theta};
+    return {on.before ? on.before + numbers : nullptr, on.lawBefore ? on.lawBefore + numbers : nullptr, on.theta};
 }
 
-DefectSums sweepWithMoments(ContactProblem& problem, BlockRange range, const SweepOn& on)
+DefectSums sweepWithLaw(ContactProblem& problem, BlockRange range, const SweepOn& on)
 {
     Body* const bodies = problem.bodies.data();
     ContactBlock* const blocks = problem.blocks.data();
-    MomentBlock* const moments = problem.moments->data();
-    if (!on.before) return problem.kernels.sweepMoments(bodies, blocks, moments, range);
-    return problem.kernels.sweepMomentsOn(bodies, blocks, moments, range, on.before, on.momentsBefore, on.theta);
+    LawBlock* const ofLaw = problem.lawBlocks->data();
+    if (!on.before) return problem.kernels.sweepLaw(bodies, blocks, ofLaw, range);
+    return problem.kernels.sweepLawOn(bodies, blocks, ofLaw, range, on.before, on.lawBefore, on.theta);
 }
 
 DefectSums evaluateBlocks(ContactProblem& problem, BlockRange range)
 {
     const SweepFunction evaluate = problem.isFrictional ? problem.kernels.evaluate : problem.kernels.evaluateFrictionless;
     DefectSums sums = evaluate(problem.bodies.data(), problem.blocks.data(), range);
-    if (problem.moments) add(sums, problem.kernels.evaluateMoments(problem.bodies.data(), problem.blocks.data(), problem.moments->data(), range));
+    if (problem.lawBlocks) add(sums, problem.kernels.evaluateLaw(problem.bodies.data(), problem.blocks.data(), problem.lawBlocks->data(), range));
     return sums;
 }
 
@@ -61,7 +61,7 @@ DefectSums evaluateBlocks(ContactProblem& problem, BlockRange range)
 
 DefectSums sweepBlocks(ContactProblem& problem, BlockRange range, const SweepOn& on)
 {
-    if (problem.moments) return sweepWithMoments(problem, range, on);
+    if (problem.lawBlocks) return sweepWithLaw(problem, range, on);
     const SweepKernels& kernels = problem.kernels;
     if (on.before)
     {

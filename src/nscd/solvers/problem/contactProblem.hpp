@@ -32,7 +32,7 @@ public:
 struct SweepOn
 {
     double* before = nullptr;          ///< impulses before the last sweep, as ReplaceFunction numbers them; null: not at all
-    double* momentsBefore = nullptr;   ///< the moments, likewise, where contacts bear any
+    double* lawBefore = nullptr;   ///< those of the law that is solved with them, likewise; null: there is none
     double theta = 0.0;
 };
 
@@ -55,8 +55,10 @@ struct ContactProblem
     const std::vector<Vec3>& position;  ///< of all bodies but the static one [m]
     /// Mean over the grains of min(1, speed/speedScale) before the step: 1 in a flow, small in a bed at rest.
     double motion = 1.0;
-    /// Moments that the contacts bear, a block for each of theirs; null where they bear none.
-    std::vector<MomentBlock>* moments = nullptr;
+    /// What a law beside Coulomb's that is solved within the sweeps has of the contacts, a block for each of theirs; null: there is none.
+    std::vector<LawBlock>* lawBlocks = nullptr;
+    /// Whether that law is of films of fluid, which clusters do not solve, and not of moments.
+    bool areFilms = false;
     /// Of all bodies that move, heaviest to lightest.
     double massRatio = 1.0;
     /// Velocities without any contact impulse, of the bodies that this rank owns; null: not known, and forces are not judged.
@@ -112,7 +114,7 @@ void replaceImpulses(ContactProblem& problem, std::vector<double>& target);
 
 /// The residual every solver is judged by: natural map in velocity units,
 /// e_n = W_nn |r_n - max(0, r_n - (u_n + b)/W_nn)|, e_t = W_tt |r_t - Proj_{mu r_n}(r_t - u_t/W_tt)|; rms over active contacts, and max.
-/// Moments add theirs to the sum, and to the maximum as contacts of their own.
+/// A law within the sweeps adds its own to the sum, and to the maximum as contacts of its own.
 /// Where n ranks move a body, W is taken n times, which can only make e larger.
 DefectSums residual(ContactProblem& problem);
 /// The same of the active blocks alone, which is less.

@@ -23,7 +23,7 @@ Vec3 vec3(const double (&of)[3][blockLanes], int lane) { return Vec3(of[0][lane]
 /// Random contacts, every fifth one at a wall, which bear moments that velocities do not hold.
 struct MomentProblem : RandomProblem
 {
-    std::vector<nscd::MomentBlock> moments;
+    std::vector<nscd::LawBlock> moments;
 
     explicit MomentProblem(int count) : RandomProblem(count), moments(count)
     {
@@ -34,10 +34,10 @@ struct MomentProblem : RandomProblem
         for (int lane = 0; lane < blockLanes; ++lane)
         {
             const double b = unit(random);
-            moments[k].across[lane] = 0.3*unit(random);
-            moments[k].along[lane] = 0.2*unit(random);
-            moments[k].shareA[lane] = 1.0 - b;
-            moments[k].shareB[lane] = b;
+            moments[k].of[nscd::momentLaw::across][lane] = 0.3*unit(random);
+            moments[k].of[nscd::momentLaw::along][lane] = 0.2*unit(random);
+            moments[k].of[nscd::momentLaw::shareA][lane] = 1.0 - b;
+            moments[k].of[nscd::momentLaw::shareB][lane] = b;
             for (int m = 0; m < 3; ++m) moments[k].q[m][lane] = 0.02*unit(random);
             if (lane % 5 == 0) putAtWall(k, lane);
         }
@@ -47,13 +47,13 @@ struct MomentProblem : RandomProblem
     {
         nscd::ContactBlock& block = blocks[k];
         block.b[lane] = static_cast<int>(bodies.size()) - 1;
-        moments[k].shareA[lane] = moments[k].shareB[lane] = 1.0;
+        moments[k].of[nscd::momentLaw::shareA][lane] = moments[k].of[nscd::momentLaw::shareB][lane] = 1.0;
         const nscd::Body& a = bodies[block.a[lane]];
         block.invWn[lane] = 1.0/a.invMass;
         block.invWt[lane] = 1.0/(a.invMass + a.invSpin);
     }
 
-    nscd::DefectSums sweep(const nscd::SweepKernels& of) { return of.sweepMoments(bodies.data(), blocks.data(), moments.data(), all()); }
+    nscd::DefectSums sweep(const nscd::SweepKernels& of) { return of.sweepLaw(bodies.data(), blocks.data(), moments.data(), all()); }
 };
 
 Vec3 inDisc(const Vec3& x, double limit) { return x.norm() > limit ? Vec3(x*(limit/x.norm())) : x; }
@@ -65,7 +65,7 @@ public:
     PlainContact(MomentProblem& problem, int k, int lane)
     :
         block_(problem.blocks[k]), moments_(problem.moments[k]), lane_(lane), A_(problem.bodies[block_.a[lane]]), B_(problem.bodies[block_.b[lane]]),
-        a_(moments_.shareA[lane]), b_(moments_.shareB[lane]), n_(vec3(block_.n, lane)), r_(vec3(block_.r, lane)), q_(vec3(moments_.q, lane)),
+        a_(moments_.of[nscd::momentLaw::shareA][lane]), b_(moments_.of[nscd::momentLaw::shareB][lane]), n_(vec3(block_.n, lane)), r_(vec3(block_.r, lane)), q_(vec3(moments_.q, lane)),
         u_(Vec3(A_.v) - Vec3(B_.v) - (Vec3(A_.s) + Vec3(B_.s)).cross(n_)), w_(a_*Vec3(A_.s) - b_*Vec3(B_.s)),
         wr_(a_*a_*A_.invSpin + b_*b_*B_.invSpin)
     {}
@@ -77,14 +77,14 @@ public:
         const double pn = std::max(0.0, n_.dot(r_) - (n_.dot(u_) + block_.bias[lane_])/wn), friction = block_.friction[lane_]*pn;
         const Vec3 rt = across(r_), qt = across(q_), ut = across(u_), wq = across(w_);
         // c couples them: u changes by W_tt dr - c dq x n, w by W_r dq - c n x dr.
-        Vec3 sticking = inDisc(qt - (wq + c/wt*n_.cross(ut))/(wr_ - c*c/wt), moments_.across[lane_]*pn);
+        Vec3 sticking = inDisc(qt - (wq + c/wt*n_.cross(ut))/(wr_ - c*c/wt), moments_.of[nscd::momentLaw::across][lane_]*pn);
         Vec3 newR = rt - (ut - c*(sticking - qt).cross(n_))/wt;
         if (newR.norm() > friction)
         {
             newR = inDisc(rt - ut/wt, friction);
-            sticking = inDisc(qt - (wq - c*n_.cross(newR - rt))/wr_, moments_.across[lane_]*pn);
+            sticking = inDisc(qt - (wq - c*n_.cross(newR - rt))/wr_, moments_.of[nscd::momentLaw::across][lane_]*pn);
         }
-        const double most = moments_.along[lane_]*pn, spinning = std::max(-most, std::min(most, n_.dot(q_) - n_.dot(w_)/wr_));
+        const double most = moments_.of[nscd::momentLaw::along][lane_]*pn, spinning = std::max(-most, std::min(most, n_.dot(q_) - n_.dot(w_)/wr_));
         const Vec3 dr = pn*n_ + newR - r_, dq = sticking + spinning*n_ - q_;
         const double tangential = wt*(newR - rt).norm(), normal = wn*(pn - n_.dot(r_));
         give(dr, dq);
@@ -94,10 +94,10 @@ public:
     /// Squared defect of the moment.
     double defect() const
     {
-        const double rn = std::max(0.0, n_.dot(r_)), most = moments_.along[lane_]*rn;
-        const Vec3 rolling = inDisc(across(q_) - across(w_)/wr_, moments_.across[lane_]*rn) - across(q_);
+        const double rn = std::max(0.0, n_.dot(r_)), most = moments_.of[nscd::momentLaw::along][lane_]*rn;
+        const Vec3 rolls = inDisc(across(q_) - across(w_)/wr_, moments_.of[nscd::momentLaw::across][lane_]*rn) - across(q_);
         const double spinning = std::max(-most, std::min(most, n_.dot(q_) - n_.dot(w_)/wr_)) - n_.dot(q_);
-        return wr_*wr_*(rolling.squaredNorm() + spinning*spinning);
+        return wr_*wr_*(rolls.squaredNorm() + spinning*spinning);
     }
 
 private:
@@ -116,7 +116,7 @@ private:
     }
 
     nscd::ContactBlock& block_;
-    nscd::MomentBlock& moments_;
+    nscd::LawBlock& moments_;
     int lane_;
     nscd::Body &A_, &B_;
     double a_, b_;
@@ -179,7 +179,7 @@ TEST(MomentKernels, evaluateTheNaturalMapOfMoments)
         MomentProblem problem(10);
         double sum = 0.0;
         const double largest = largestOf(problem, [&](const PlainContact& contact) { sum += contact.defect(); return contact.defect(); });
-        const nscd::DefectSums sums = kernels.evaluateMoments(problem.bodies.data(), problem.blocks.data(), problem.moments.data(), problem.all());
+        const nscd::DefectSums sums = kernels.evaluateLaw(problem.bodies.data(), problem.blocks.data(), problem.moments.data(), problem.all());
         EXPECT_NEAR(sums.maxSquare, largest, 1e-12*largest);
         EXPECT_NEAR(sums.sumSquares, sum, 1e-12*sum);
         EXPECT_EQ(sums.active, 0.0);
@@ -193,11 +193,11 @@ TEST(MomentKernels, withoutBoundsForMomentsTheyAreThoseOfFriction)
         MomentProblem x(30), y(30);
         for (MomentProblem* problem : {&x, &y})
         {
-            for (nscd::MomentBlock& block : problem->moments)
+            for (nscd::LawBlock& block : problem->moments)
             {
                 std::fill_n(&block.q[0][0], 3*blockLanes, 0.0);
-                std::fill_n(block.across, blockLanes, 0.0);
-                std::fill_n(block.along, blockLanes, 0.0);
+                std::fill_n(block.of[nscd::momentLaw::across], blockLanes, 0.0);
+                std::fill_n(block.of[nscd::momentLaw::along], blockLanes, 0.0);
             }
         }
         for (int sweep = 0; sweep < 5; ++sweep)
@@ -233,13 +233,13 @@ TEST(MomentKernels, sweepOnWhatMovingOnAndSweepingDoes)
         MomentProblem one(7), other(7);
         std::vector<double> before(7*3*blockLanes, 0.03), momentsBefore(7*3*blockLanes, 0.01);
         kernels.extrapolate(one.blocks.data(), one.all(), std::vector<double>(before).data(), 0.7);
-        for (nscd::MomentBlock& block : one.moments)
+        for (nscd::LawBlock& block : one.moments)
         {
             for (int i = 0; i < 3*blockLanes; ++i) (&block.q[0][0])[i] += 0.7*((&block.q[0][0])[i] - 0.01);
         }
         one.sweep(kernels);
-        const nscd::MomentBlock start = other.moments[6];
-        kernels.sweepMomentsOn(other.bodies.data(), other.blocks.data(), other.moments.data(), other.all(), before.data(), momentsBefore.data(), 0.7);
+        const nscd::LawBlock start = other.moments[6];
+        kernels.sweepLawOn(other.bodies.data(), other.blocks.data(), other.moments.data(), other.all(), before.data(), momentsBefore.data(), 0.7);
         expectSameBodies(one.bodies, other.bodies, 1e-13);
         expectSameImpulses(one, other, 1e-13);
         EXPECT_EQ(std::memcmp(&momentsBefore[6*3*blockLanes], start.q, sizeof start.q), 0);
@@ -253,7 +253,7 @@ TEST(MomentKernels, momentumMovesMomentsAndVelocitiesAlikeAndTakesThemBackToTheB
     {
         MomentProblem problem(20), unloaded(20);
         nscd::ContactProblem whole = problem.problem();
-        whole.moments = &problem.moments;
+        whole.lawBlocks = &problem.moments;
         problem.position.resize(problem.bodies.size() - 1, Vec3::Zero());
         const nscd::SolverStrategy strategy;
         nscd::SweepMomentum momentum(whole, kind, strategy.momentum);
@@ -273,14 +273,14 @@ TEST(MomentKernels, momentumMovesMomentsAndVelocitiesAlikeAndTakesThemBackToTheB
             nscd::applyImpulse(a, b, n.data(), r.data());
             for (int m = 0; m < 3; ++m)
             {
-                a.s[m] += a.invSpin*problem.moments[k].shareA[lane]*q[m];
-                b.s[m] -= b.invSpin*problem.moments[k].shareB[lane]*q[m];
+                a.s[m] += a.invSpin*problem.moments[k].of[nscd::momentLaw::shareA][lane]*q[m];
+                b.s[m] -= b.invSpin*problem.moments[k].of[nscd::momentLaw::shareB][lane]*q[m];
             }
         }
         expectSameBodies(problem.bodies, unloaded.bodies, 1e-12);
         momentum.revert();
         EXPECT_EQ(std::memcmp(problem.bodies.data(), held.bodies.data(), held.bodies.size()*sizeof(nscd::Body)), 0);
-        EXPECT_EQ(std::memcmp(problem.moments.data(), held.moments.data(), held.moments.size()*sizeof(nscd::MomentBlock)), 0);
+        EXPECT_EQ(std::memcmp(problem.moments.data(), held.moments.data(), held.moments.size()*sizeof(nscd::LawBlock)), 0);
         EXPECT_EQ(std::memcmp(problem.blocks.data(), held.blocks.data(), held.blocks.size()*sizeof(nscd::ContactBlock)), 0);
     }
 }

@@ -80,7 +80,7 @@ TEST(ListLaws, ofPlainScenesAreNone)
 {
     const ListLaws laws(withPair({0.5, 0.8}));
     EXPECT_TRUE(laws.empty());
-    EXPECT_FALSE(laws.areSwept() || laws.areOfStart() || laws.haveImpulses());
+    EXPECT_FALSE(laws.areOfSpins() || laws.areOfStart() || laws.haveImpulses());
     EXPECT_EQ(laws.known(3), Vec3::Zero());
 }
 
@@ -88,7 +88,7 @@ TEST(ListLaws, keepTheImpulsesOfEachSlotAndTakeThoseOfAnother)
 {
     const Materials materials = withPair({0.5, 0.0, 0.1, 0.0, 1e-3, 0.0});
     ListLaws laws(materials), others(materials);
-    EXPECT_TRUE(laws.areSwept() && laws.areOfStart() && laws.haveImpulses());
+    EXPECT_TRUE(laws.areOfSpins() && laws.areOfStart() && laws.haveImpulses());
     laws.resize(4);
     others.resize(2);
     for (std::size_t slot = 0; slot < 4; ++slot) laws.set(slot, materials.pair(0, 1), 0.1, 0.2);

@@ -26,7 +26,7 @@ struct Grid
     nscd::Halo alone;
     nscd::SweepKernels kernels = nscd::chooseKernels("portable");
     bool isFrictional;
-    std::vector<nscd::MomentBlock> moments;   ///< of grids that roll
+    std::vector<nscd::LawBlock> moments;   ///< of grids that roll
 
     explicit Grid(bool hasFriction) : isFrictional(hasFriction)
     {
@@ -70,20 +70,20 @@ struct Grid
     nscd::ContactProblem problem()
     {
         nscd::ContactProblem problem{bodies, blocks, awake, blocks.size(), alone, kernels, isFrictional, 1.0, 1.0, 1.0, position};
-        if (!moments.empty()) problem.moments = &moments;
+        if (!moments.empty()) problem.lawBlocks = &moments;
         return problem;
     }
 
     /// Lets contacts bear moments.
     void roll()
     {
-        moments.resize(blocks.size(), nscd::MomentBlock());
-        for (nscd::MomentBlock& block : moments)
+        moments.resize(blocks.size(), nscd::LawBlock());
+        for (nscd::LawBlock& block : moments)
         {
-            std::fill_n(block.across, nscd::blockLanes, 0.1);
-            std::fill_n(block.along, nscd::blockLanes, 0.05);
-            std::fill_n(block.shareA, nscd::blockLanes, 0.5);
-            std::fill_n(block.shareB, nscd::blockLanes, 0.5);
+            std::fill_n(block.of[nscd::momentLaw::across], nscd::blockLanes, 0.1);
+            std::fill_n(block.of[nscd::momentLaw::along], nscd::blockLanes, 0.05);
+            std::fill_n(block.of[nscd::momentLaw::shareA], nscd::blockLanes, 0.5);
+            std::fill_n(block.of[nscd::momentLaw::shareB], nscd::blockLanes, 0.5);
         }
     }
 
@@ -190,13 +190,13 @@ TEST(PackedContacts, takeMomentsAlong)
     grid.roll();
     nscd::ContactProblem problem = grid.problem();
     for (int k = 0; k < 3; ++k) nscd::sweepActive(problem);
-    const std::vector<nscd::MomentBlock> before = grid.moments;
+    const std::vector<nscd::LawBlock> before = grid.moments;
     const nscd::DefectSums whole = nscd::residual(problem);
     nscd::PackedContacts packing;
     nscd::ContactProblem packed = packing.pack(problem, 0.008);
     EXPECT_NEAR(nscd::residual(packed).sumSquares, whole.sumSquares, 1e-12*whole.sumSquares);
     packing.giveBack(problem);
-    EXPECT_EQ(std::memcmp(grid.moments.data(), before.data(), before.size()*sizeof(nscd::MomentBlock)), 0);
+    EXPECT_EQ(std::memcmp(grid.moments.data(), before.data(), before.size()*sizeof(nscd::LawBlock)), 0);
 
     packing.note(100);
     problem.packing = &packing;
