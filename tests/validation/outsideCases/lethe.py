@@ -2,8 +2,11 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """Cases of Lethe (examples/unresolved-cfd-dem), with its meshes, steps and constants."""
 
+import math
+
 from foamCase import BoxCase
-from outsideCase import BUILD, dallaValle, fallSpeed, terminalSpeed
+from outsideCase import (BUILD, G, OUTLET, SLIP, CylinderCase, dallaValle, ergunGradient, fallSpeed, hinderedGradient, inlet, lawOverLayers,
+                         meanBetween, meanPressureAt, rong, shown, terminalSpeed, valuesOf)
 
 
 def singleParticleSedimentation(verdict):
@@ -22,4 +25,36 @@ def singleParticleSedimentation(verdict):
     case.remove()
 
 
-CASES = (singleParticleSedimentation,)
+def cylindricalPackedBed(verdict):
+    """Lethe's cylindrical-packed-bed: air at 0.2 m/s through 10 000 spheres of 1 mm in a cylinder of 20 mm, on 80 x 64 cells as there: Rong's drag, model B.
+
+    They fall onto a floor that air passes, with the friction and restitution of the original, and are held then, as there. Its script
+    draws Ergun's law for a fluid fraction of 0.4 beside the result; here the bed's own fraction stands beside that too."""
+    d, number, rhoP, rhoF, nu, U = 1e-3, 10000, 2500, 1, 1e-5, 0.2
+
+    def stage(name, settings, deltaT, endTime):
+        case = CylinderCase(BUILD/name, 0.01, -0.1, 0.1, 4, 4, 64)
+        case.fluid(rhoF, rhoF*nu, (0, 0, -9.8), sides={"bottom": inlet(U), "top": OUTLET, "walls": SLIP},
+                   pressureSides={"bottom": "type fixedFluxPressure; value uniform 0;"})
+        case.grains("materials { grain { density %g; } }\ncontacts { default { friction 0.1; restitution 0.2; rollingFriction 0.2; } }\n"
+                    "patches { bottom { type wall; } top { type exit; } }\nplanes { floor { point (0 0 -0.01); normal (0 0 1); } }\n%s" % (rhoP, settings))
+        case.control(deltaT, endTime, extra=meanPressureAt("bottom"))
+        return case
+
+    inner = stage("cylindricalPacking", "", 1, 1).innerRadius()
+    stage("cylindricalPacking", "fluid none;\ngrains { type filling; region { type cylinder; axis (0 0 -0.01) (0 0 0.06); radius %.17g; } number %d; diameter %g; }"
+          % (inner, number, d), 5e-4, 0.2).run()
+    case = stage("cylindricalPackedBed", "motion fixed;\nforces { model B; drag { law Rong; } }\n"
+                 'grains { type time; case "../cylindricalPacking"; time latestTime; }', 5e-3, 0.2)
+    drop = valuesOf(case.run(), "inletPressure")[-1][1]
+    verdict.near("cylindricalPackedBed: grains", len(case.cloud("d")), number, 0)
+    verdict.near("cylindricalPackedBed: drop, Rong's law [Pa]", drop,
+                 lawOverLayers(case, lambda alpha, U: hinderedGradient(rong, alpha, U, d, rhoF, rhoF*nu), U), 0.03)
+    verdict.near("cylindricalPackedBed: drop, Ergun's law [Pa]", drop,
+                 lawOverLayers(case, lambda alpha, U: ergunGradient(alpha, U, d, rhoF, rhoF*nu), U), 0.15)
+    height = number*math.pi/6*d**3/(0.6*math.pi*0.01**2)
+    shown("cylindricalPackedBed: drop, Ergun's law for a fluid fraction of 0.4 [Pa]", drop, ergunGradient(0.4, U, d, rhoF, rhoF*nu)*height)
+    case.remove()
+
+
+CASES = (singleParticleSedimentation, cylindricalPackedBed)
