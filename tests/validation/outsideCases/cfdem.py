@@ -2,8 +2,11 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """Cases of CFDEMcoupling, with its meshes, steps and constants."""
 
+import math
+
 from foamCase import BoxCase
-from outsideCase import BUILD, G, dallaValle, fallSpeed, terminalSpeed
+from outsideCase import (BUILD, G, OUTLET, SLIP, CylinderCase, dallaValle, diFelice, ergunGradient, fallSpeed, hinderedGradient, lawOverLayers,
+                         meanBetween, meanPressureAt, terminalSpeed, valuesOf)
 
 
 def settlingTestMPI(verdict):
@@ -23,4 +26,59 @@ def settlingTestMPI(verdict):
         case.remove()
 
 
-CASES = (settlingTestMPI,)
+def ergunTestMPI_cgs(verdict):
+    """CFDEMcoupling's cfdemSolverPiso/ErgunTestMPI_cgs: 10 000 spheres of 0.1 cm in a cylinder of radius 1.385 cm on 4608 cells, in cm, g and s.
+
+    They fall at 100 cm/s, for 0.1 s without a fluid; then gas flows, for 10 ms each at 0.2, 0.4 ... 2 cm/s, with Di Felice's drag. The
+    original draws Ergun's law beside its drop, and the drop at which that law lifts the bed, which is the weight. From 1.6 cm/s on the
+    drop by Di Felice's law, 0.85 of Ergun's, is above the weight too. Last, ten steps
+    give the same in units that are powers of two of these: centimeters of 2^6, grams of 2^10; any number in the solver that had a unit
+    would show, while 0.01 m and 0.001 kg also round otherwise, which contacts at rest with friction answer by 1 % of the drop."""
+    filling = ergunCase("ergunFilling", "fluid none;\ngrains { type filling; region { type cylinder; axis (0 0 0) (0 0 5.5); radius 1.2; } number 10000; "
+                        "diameter 0.1; velocity (0 0 -100); }")
+    filling.control(1e-3, 0.1)
+    filling.run()
+    bed = ergunCase("ergunTestMPI_cgs", 'grains { type time; case "../ergunFilling"; time latestTime; }')
+    bed.control(1e-3, 0.1, 0.01, extra=meanPressureAt("bottom"))
+    drop = valuesOf(bed.run(), "inletPressure")
+    filling.remove()
+    d, rho, mu = 0.1, 0.01, 0.01*1.5
+    for time in 0.02, 0.05:
+        U, found = 20*time, meanBetween(drop, time - 0.005, time)
+        verdict.near("ergunTestMPI_cgs: drop at %g cm/s, Di Felice's law [Ba]" % U, found,
+                     lawOverLayers(bed, lambda alpha: hinderedGradient(diFelice, alpha, U, d, rho, mu), "%g" % time), 0.03)
+        verdict.near("ergunTestMPI_cgs: drop at %g cm/s, Ergun's law [Ba]" % U, found,
+                     lawOverLayers(bed, lambda alpha: ergunGradient(alpha, U, d, rho, mu), "%g" % time), 0.25)
+    weight = 10000*math.pi/6*d**3*(2 - rho)*981/bed.area()
+    verdict.near("ergunTestMPI_cgs: drop once lifted, weight over area [Ba]", meanBetween(drop, 0.095, 0.1), weight, 0.02)
+    positions = bed.cloud("position", "0.05")
+    bed.remove()
+    cgs, others = (pressuresIn(cm, gram, positions) for cm, gram in ((1, 1), (2**-6, 2**-10)))
+    verdict.below("ergunTestMPI_cgs: drop in other units over that in cgs", max(abs(other*2**4/drop - 1) for other, drop in zip(others, cgs)), 1e-12)
+
+
+def pressuresIn(cm, gram, positions):
+    """Of the first ten steps at 0.2 cm/s of a bed whose grains lie in these places [cm], in a system of units with that centimeter and gram."""
+    case = ergunCase("ergunInUnits", "grains { type table; file grains.dat; }", cm, gram)
+    case.table([(x*cm, y*cm, z*cm, 0.1*cm) for x, y, z in positions])
+    case.control(1e-3, 0.01, extra=meanPressureAt("bottom"))
+    drop = [value for _, value in valuesOf(case.run(), "inletPressure")]
+    case.remove()
+    return drop
+
+
+def ergunCase(name, grains, cm=1.0, gram=1.0):
+    density = gram/cm**3
+    case = CylinderCase(BUILD/name, 1.385*cm, 0, 5.53*cm, 8, 4, 24)
+    case.fluid(0.01*density, 0.01*1.5*gram/cm, (0, 0, -981*cm), sides={"bottom": RAMP % (0.2*cm), "top": OUTLET, "walls": SLIP},
+               pressureSides={"bottom": "type fixedFluxPressure; value uniform 0;"})
+    case.grains("materials { grain { density %.17g; } }\ncontacts { default { friction 0.5; restitution 0.3; } }\n"
+                "forces { drag { law DiFelice; } }\npatches { bottom { type wall; } top { type exit; } }\n%s" % (2*density, grains))
+    return case
+
+
+# Superficial velocity in steps of 10 ms, over the fluid fraction at the inlet, where grains lie.
+RAMP = ('type exprFixedValue; variables ("superficial = %.17g*(1 + floor((time() - 0.0005)/0.01))"); '
+        'valueExpr "vector(0, 0, superficial)/alpha.fluid"; value uniform (0 0 0);')
+
+CASES = (settlingTestMPI, ergunTestMPI_cgs)

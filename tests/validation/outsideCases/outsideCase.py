@@ -126,34 +126,13 @@ def ergunGradient(alpha, U, d, rho, mu):
     return (150*(1 - alpha)*mu/d + 1.75*rho*U)*(1 - alpha)*U/(alpha**3*d)
 
 
-def lawOverLayers(case, law, U, time=None):
-    """Pressure drop of a bed by a law gradient(alpha, U): in each layer the flow spreads over the cells so that all have one gradient."""
-    alphas, volumes = case.fieldValues("alpha.fluid", time), case.fieldValues("V", time)
-    layers = [[] for _ in range(case.layers)]
-    for k, layer in enumerate(case.layerOfCells()):
-        layers[layer].append((alphas[k], volumes[k]))
-    return sum(gradientOf(law, cells, U) for cells in layers)*(case.upper - case.lower)/case.layers
-
-
-def gradientOf(law, cells, U):
-    """The gradient with which the mean superficial velocity of cells (alpha, volume) is U; none without grains."""
-    if min(alpha for alpha, _ in cells) > 1 - 1e-6:
-        return 0.0
-    whole = sum(volume for _, volume in cells)
-    mean = law(sum(alpha*volume for alpha, volume in cells)/whole, U)
-    return bisect(lambda gradient: sum(volume*speedOf(law, alpha, gradient, 20*U) for alpha, volume in cells)/whole - U, 0, 2*mean)
-
-
-def speedOf(law, alpha, gradient, fastest):
-    return bisect(lambda U: law(alpha, U) - gradient, 1e-9*fastest, fastest)
-
-
-def bisect(rising, low, high):
-    """Where a function that rises is zero, to a millionth of the interval."""
-    for _ in range(20):
-        middle = 0.5*(low + high)
-        low, high = (middle, high) if rising(middle) < 0 else (low, middle)
-    return 0.5*(low + high)
+def lawOverLayers(case, gradient, time=None):
+    """Pressure drop by a law, gradient(alpha), with the mean alpha of each layer of cells."""
+    solid, whole = [0.0]*case.layers, [0.0]*case.layers
+    for layer, alpha, volume in zip(case.layerOfCells(), case.fieldValues("alpha.fluid", time), case.fieldValues("V", time)):
+        solid[layer] += (1 - alpha)*volume
+        whole[layer] += volume
+    return sum(gradient(1 - part/volume) for part, volume in zip(solid, whole))*(case.upper - case.lower)/case.layers
 
 
 def terminalSpeed(law, d, rhoP, rhoF, mu):
