@@ -5,7 +5,7 @@
 import math
 
 from foamCase import BoxCase
-from outsideCase import (BUILD, G, OUTLET, SLIP, CylinderCase, dallaValle, diFelice, ergunGradient, fallSpeed, hinderedGradient, lawOverLayers,
+from outsideCase import (BUILD, FIXED_FLUX, G, OUTLET, SLIP, CylinderCase, dallaValle, diFelice, ergunGradient, fallSpeed, hinderedGradient, lawOverLayers,
                          meanBetween, meanPressureAt, terminalSpeed, valuesOf)
 
 
@@ -71,14 +71,74 @@ def ergunCase(name, grains, cm=1.0, gram=1.0):
     density = gram/cm**3
     case = CylinderCase(BUILD/name, 1.385*cm, 0, 5.53*cm, 8, 4, 24)
     case.fluid(0.01*density, 0.01*1.5*gram/cm, (0, 0, -981*cm), sides={"bottom": RAMP % (0.2*cm), "top": OUTLET, "walls": SLIP},
-               pressureSides={"bottom": "type fixedFluxPressure; value uniform 0;"})
+               pressureSides={"bottom": FIXED_FLUX})
     case.grains("materials { grain { density %.17g; } }\ncontacts { default { friction 0.5; restitution 0.3; } }\n"
                 "forces { drag { law DiFelice; } }\npatches { bottom { type wall; } top { type exit; } }\n%s" % (2*density, grains))
     return case
+
+
+def periodicChannel(verdict):
+    """CFDEMcoupling's cfdemSolverPiso/periodicChannel: gas at 10 m/s through a channel that is periodic along x, 0.4 x 0.1 x 0.1 m in 2048 cells, with 1000
+    spheres of 1 mm that fall to its ceiling (g is upwards there), Koch and Hill's drag, 10 steps of 1 ms.
+
+    It starts at rest, and a uniform gradient holds the mean superficial velocity; there it is a source. Its script draws the volume
+    fluxes through inlet and outlet beside what is asked for, and that through the walls, which is none."""
+    d, rhoP, rhoF, nu, U = 1e-3, 2000, 1.3, 1.5e-4, 10
+
+    def stage(name, settings, endTime, extra=""):
+        case = BoxCase(BUILD/name, (0, 0, 0), (0.4, 0.1, 0.1), (32, 8, 8), {side: "wall" for side in ("yMin", "yMax", "zMin", "zMax")})
+        case.fluid(rhoF, rhoF*nu, (0, 0, G))
+        case.grains("materials { grain { density %g; } }\ncontacts { default { friction 0.5; restitution 0.3; } }\n%s" % (rhoP, settings))
+        case.control(1e-3, endTime, extra=extra)
+        return case
+
+    filling = stage("channelFilling", "fluid none;\ngrains { type filling; region { type box; box (0 0 0) (0.4 0.1 0.1); } number 1000; diameter %g; velocity (0 0 1); }" % d,
+                    0.1)
+    filling.run()
+    fluxes = "".join("%s { type surfaceFieldValue; libs (fieldFunctionObjects); regionType patch; name %s; operation sum; fields (phi); writeFields no; log no; }\n"
+                     % (side, side) for side in ("xMin", "xMax", "yMin", "yMax", "zMin", "zMax"))
+    case = stage("periodicChannel", 'meanFlow (%g 0 0);\nforces { drag { law KochHill; } }\ngrains { type time; case "../channelFilling"; time latestTime; }' % U,
+                 0.01, "functions { %s }" % fluxes)
+    report = case.run().report()
+    filling.remove()
+    rates = {side: [value for _, value in valuesOf(case, side)] for side in ("xMin", "xMax", "yMin", "yMax", "zMin", "zMax")}
+    verdict.near("periodicChannel: grains", report["grains"][-1], 1000, 0)
+    verdict.below("periodicChannel: flux out of the outlet over 0.1 m3/s, less 1, in any step", max(abs(rate/0.1 - 1) for rate in rates["xMax"]), 1e-3)
+    verdict.below("periodicChannel: fluxes of inlet and outlet together over 0.1 m3/s", max(abs(a + b)/0.1 for a, b in zip(rates["xMin"], rates["xMax"])), 1e-12)
+    verdict.below("periodicChannel: flux through walls over 0.1 m3/s", max(abs(rate)/0.1 for side in ("yMin", "yMax", "zMin", "zMax") for rate in rates[side]), 1e-15)
+    verdict.below("periodicChannel: momentum error", max(report["momentumError"]), 1e-2)
+    case.remove()
+
+
+def voidfractionTest(verdict):
+    """CFDEMcoupling's cfdemSolverPiso/voidfractionTest: 1000 spheres of 3 mm move with 0.3 m/s through cells of 10 mm, without gravity or drag, for 0.2 s.
+
+    Its script draws the solid volume in the cells over that of the spheres, and how fast the void fraction changes. Spheres that move as
+    one go 3 cells in 0.1 s: what the void fraction was has to come back 3 cells further. Weights are trilinear there; here the exact
+    volume in each cell, the same smoothed over a cell's width, or all of it in the cell of the center."""
+    d, number, speed = 3e-3, 1000, 0.3
+    for method in ("exact", "exact; diffusion 3.3", "centroid"):
+        case = BoxCase(BUILD/"voidfractionTest", (0, 0, 0), (0.1, 0.1, 1), (10, 10, 100), {"xMin": "wall", "xMax": "wall", "yMin": "wall", "yMax": "patch",
+                                                                                     "zMin": "wall", "zMax": "wall"})
+        case.fluid(1, 1e-5, (0, 0, 0))
+        case.grains("materials { grain { density 3000; } }\ncontacts { default { friction 0.5; restitution 0.3; } }\n"
+                    "forces { drag { law none; } pressureGradient off; viscous off; }\nvoidFraction { method %s; }\n"
+                    "grains { type filling; region { type box; box (0 0 0.53) (0.1 0.1 1); } number %d; diameter %g; velocity (0 0 %g); }\n"
+                    "patches { yMax { type exit; } }" % (method, number, d, -speed))
+        case.control(1e-3, 0.2, 0.1)
+        report = case.run().report()
+        name = "voidfractionTest, %s: " % method
+        volume = number*math.pi/6*d**3
+        verdict.below(name + "solid volume in cells over that of grains, less 1, in any step", max(abs(solid/volume - 1) for solid in report["solidVolume"]), 1e-9)
+        before, after = case.fieldValues("alpha.fluid", "0.1"), case.fieldValues("alpha.fluid", "0.2")
+        moved = after[:97*100]
+        verdict.below(name + "alpha after another 3 cells less that before", max(abs(b - a) for a, b in zip(before[3*100:], moved)), 1e-6)
+        verdict.near(name + "largest solid fraction", 1 - min(after), 1 - min(before), 1e-3)
+        case.remove()
 
 
 # Superficial velocity in steps of 10 ms, over the fluid fraction at the inlet, where grains lie.
 RAMP = ('type exprFixedValue; variables ("superficial = %.17g*(1 + floor((time() - 0.0005)/0.01))"); '
         'valueExpr "vector(0, 0, superficial)/alpha.fluid"; value uniform (0 0 0);')
 
-CASES = (settlingTestMPI, ergunTestMPI_cgs)
+CASES = (settlingTestMPI, ergunTestMPI_cgs, periodicChannel, voidfractionTest)

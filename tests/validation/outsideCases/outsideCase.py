@@ -18,6 +18,7 @@ def inlet(speed):
 
 OUTLET = "type pressureInletOutletVelocity; value uniform (0 0 0);"
 SLIP = "type slip;"
+FIXED_FLUX = "type fixedFluxPressure; value uniform 0;"
 
 
 class CylinderCase(MeshedCase):
