@@ -120,14 +120,35 @@ class WrittenCase(CaseFolder):
             sys.exit("%s failed in %s" % (program, self.folder))
 
 
-class BoxCase(WrittenCase):
-    """A box of cells; `patches` gives each side's type: cyclic, wall, patch, symmetry or empty (default: cyclic)."""
+class MeshedCase(WrittenCase):
+    """A case whose mesh a class of its own writes; `types` gives each patch's type: cyclic, wall, patch, symmetry or empty."""
+
+    def __init__(self, folder, types):
+        super().__init__(folder)
+        self.types = types
+
+    def fluid(self, rho, mu, gravity=(0, 0, -9.81), U=(0, 0, 0), sides=None, pressureSides=None):
+        """Fields; `sides` and `pressureSides` give a boundary entry by patch for U and p_rgh where the default is not meant."""
+        self.write("constant/transportProperties", "transportModel Newtonian; nu %.17g; rho %.17g;" % (mu/rho, rho))
+        self.gravity(gravity)
+        velocity = {"cyclic": "type cyclic;", "empty": "type empty;", "symmetry": "type symmetry;", "wall": "type noSlip;",
+                    "patch": "type zeroGradient;"}
+        pressure = {"cyclic": "type cyclic;", "empty": "type empty;", "symmetry": "type symmetry;",
+                    "wall": "type fixedFluxPressure; value uniform 0;", "patch": "type fixedValue; value uniform 0;"}
+        self.field("U", "volVectorField", "[0 1 -1 0 0 0 0]", vec(U), velocity, sides or {})
+        self.field("p_rgh", "volScalarField", "[1 -1 -2 0 0 0 0]", "0", pressure, pressureSides or {})
+
+    def field(self, name, foamClass, dimensions, value, byType, bySide):
+        entries = "".join("%s { %s }\n" % (side, bySide.get(side, byType[kind])) for side, kind in self.types.items())
+        self.write("0/" + name, "dimensions %s;\ninternalField uniform %s;\nboundaryField\n{\n%s}" % (dimensions, value, entries), foamClass)
+
+
+class BoxCase(MeshedCase):
+    """A box of cells; `patches` gives each side's type (default: cyclic)."""
 
     def __init__(self, folder, lower, upper, cells, patches=None, grading=(1, 1, 1)):
-        super().__init__(folder)
+        super().__init__(folder, {**{side: "cyclic" for side in FACES}, **(patches or {})})
         self.lower, self.upper, self.cells, self.grading = lower, upper, cells, grading
-        self.types = {side: "cyclic" for side in FACES}
-        self.types.update(patches or {})
         self.writeMesh()
 
     def writeMesh(self):
@@ -140,21 +161,6 @@ class BoxCase(WrittenCase):
             sides += "%s { type %s; %sfaces (%s); }\n" % (side, self.types[side], neighbor, faces)
         self.write("system/blockMeshDict", "vertices (%s);\nblocks (hex (0 1 2 3 4 5 6 7) (%d %d %d) simpleGrading (%s %s %s));\n"
                    "boundary\n(\n%s);" % ((vertices,) + tuple(self.cells) + tuple(self.grading) + (sides,)))
-
-    def fluid(self, rho, mu, gravity=(0, 0, -9.81), U=(0, 0, 0), sides=None, pressureSides=None):
-        """Fields; `sides` and `pressureSides` give a boundary entry by side for U and p_rgh where the default is not meant."""
-        self.write("constant/transportProperties", "transportModel Newtonian; nu %.17g; rho %.17g;" % (mu/rho, rho))
-        self.gravity(gravity)
-        velocity = {"cyclic": "type cyclic;", "empty": "type empty;", "symmetry": "type symmetry;", "wall": "type noSlip;",
-                    "patch": "type zeroGradient;"}
-        pressure = {"cyclic": "type cyclic;", "empty": "type empty;", "symmetry": "type symmetry;",
-                    "wall": "type fixedFluxPressure; value uniform 0;", "patch": "type fixedValue; value uniform 0;"}
-        self.field("U", "volVectorField", "[0 1 -1 0 0 0 0]", vec(U), velocity, sides or {})
-        self.field("p_rgh", "volScalarField", "[1 -1 -2 0 0 0 0]", "0", pressure, pressureSides or {})
-
-    def field(self, name, foamClass, dimensions, value, byType, bySide):
-        entries = "".join("%s { %s }\n" % (side, bySide.get(side, byType[self.types[side]])) for side in FACES)
-        self.write("0/" + name, "dimensions %s;\ninternalField uniform %s;\nboundaryField\n{\n%s}" % (dimensions, value, entries), foamClass)
 
 
 WIDTHS = {b"scalarField": "d", b"vectorField": "3d", b"labelField": "i", b"scalar": "d", b"vector": "3d"}
