@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
+"""Cases of MFiX (tutorials/dem of 21.3) where grains pass through: a loop seal, a cyclone, a conveyor; as mfix.py has the others."""
+
+import math
+
+from foamCase import vec
+from mfix import AIR, AIR_MU, granularBox, judgeGrains, outsideOf, superficial, volumeOf
+from mfixMeshes import BlocksCase
+from outsideCase import BUILD, FIXED_FLUX, G, OUTLET, valuesOf
+from surfaces import plates, writeStl
+
+
+def loopSeal(verdict):
+    """MFiX's loop_seal_pseudo_2d: spheres of 3 mm between plates 10 mm apart in a riser, a downcomer and what joins them; air at 5 m/s from below the riser, 1 g/s of it
+    at a point of the downcomer, 0.1 kg/s of grains through its roof, and a leg to the outlet. 2 s of 5, steps of 0.5 ms.
+
+    The point source is one of alpha.fluid in the cell there, with the velocity of the air around it (there: 0.1 m/s). Meshes of 7.5 mm as there, along the walls here.
+    All of the air has to leave by the outlet; weight and what rises in the riser hold the seal: no grain goes to where none may."""
+    d, rhoP, half = 3e-3, 3000, 5e-3
+    case = BlocksCase(BUILD/"loopSeal", *loopSealBlocks(), half, -half, 2, "wall")
+    inflow, source = 5*0.05*2*half, 1e-3/AIR
+    case.fluid(AIR, AIR_MU, (0, -G, 0), sides={"inlet": superficial(5), "roof": "type noSlip;", "outlet": OUTLET},
+               pressureSides={"inlet": FIXED_FLUX, "roof": FIXED_FLUX})
+    case.write("constant/fvOptions", aeration(source, (0.12, 1e-6, 1e-6)))
+    fill = "%s { type filling; region { type box; box (%g %g -0.005) (%g %g 0.005); } solidFraction 0.3; diameter %g; }\n"
+    case.grains("materials { grain { density %g; } }\ncontacts { default { friction 0.1; restitution 0.7; } }\nforces { drag { law SyamlalOBrien; } }\n"
+                "patches { inlet { type wall; } roof { type wall; } outlet { type exit; } }\ngrains\n{\n%s%s%s"
+                "roof { type entering; region { type box; box (0.077 0.134 -0.0034) (0.123 0.138 0.0034); } massRate 0.1; diameter %g; velocity (0 -0.667 0); }\n}"
+                % (rhoP, fill % ("riser", -0.025, -0.149, 0.025, 0.05, d), fill % ("below", 0.025, -0.135, 0.075, -0.085, d),
+                   fill % ("downcomer", 0.075, -0.149, 0.125, 0.13, d), d))
+    case.control(5e-4, 2, extra="functions { outflow { type surfaceFieldValue; libs (fieldFunctionObjects); regionType patch; name outlet; operation sum; fields (phi); "
+                 "writeFields no; log no; } }")
+    report = case.run().report()
+    name = "loopSeal"
+    judgeGrains(verdict, name, report, 2e-3)
+    verdict.near(name + ": mass that came through the roof [kg]", report["enteredMass"][-1] + report["waitingMass"][-1], 0.1*2, 0.001)
+    verdict.below(name + ": mass that found no room, over that", report["waitingMass"][-1]/0.2, 0.02)
+    flux = [value for _, value in valuesOf(case, "outflow")]
+    displaced = (report["solidVolume"][-1] - report["solidVolume"][0])/(report["time"][-1] - report["time"][0])
+    verdict.near(name + ": air that leaves, mean, over what enters and is displaced", sum(flux)/len(flux)/(inflow + source + displaced), 1, 0.002)
+    verdict.below(name + ": momentum error from 0.1 s on", max(report["momentumError"][200:]), 0.01)
+    verdict.below(name + ": no grain has left, 1", float(report["exited"][-1] == 0), 0)
+    #case.remove()
+
+
+def aeration(source, place):
+    """fvOptions: a volume flux [m3/s] in the cell at a place."""
+    return ("air { type scalarSemiImplicitSource; volumeMode absolute; selectionMode points; points (%s); injectionRateSuSp { alpha.fluid (%.17g 0); } }\n"
+            % (vec(place), source))
+
+
+def loopSealBlocks():
+    """(blocks, edges): leg, riser, what joins it to the downcomer, and that; leg walls lie at y = x - 0.020355 and y = x + 0.050355."""
+    low, high = -0.020355, 0.050355
+    left, right, down, end = -0.025, 0.025, 0.075, 0.125
+    riser = [-0.149, -0.135, -0.085, left + low, left + high, 0.05]
+    downcomer = [-0.149, -0.135, -0.085, 0.14]
+
+    def column(x0, x1, heights, cells, width):
+        return [(((x0, a), (x1, a), (x1, b), (x0, b)), (width, n)) for a, b, n in zip(heights, heights[1:], cells)]
+
+    leg = ((-0.1, -0.1 + low), (left, left + low), (left, left + high), (-0.1, -0.1 + high))
+    blocks = [(leg, (10, 9)), *column(left, right, riser, (2, 6, 5, 9, 3), 7), *column(right, down, riser[1:3], (6,), 7), *column(down, end, downcomer, (2, 6, 27), 7)]
+    return blocks, {"inlet": [((left, riser[0]), (right, riser[0]))], "outlet": [(leg[3], leg[0])], "roof": [((down, 0.14), (end, 0.14))]}
+
+
+def conveyor(verdict):
+    """MFiX's conveyor_3d: spheres of 100 mm fall onto a belt in a trough, 3 m/s from 4 s on, whose end throws them down a chute onto a second one, which starts and stops
+    every 5 s; 32.4 kg/s come in, of which 20 s of 60 are run in steps of 2 ms, no gas.
+
+    Belts are surfaces that move in themselves, the housing is plates. What comes is the rate times the time; what leaves, leaves at the end of
+    the second belt, while it runs."""
+    d, rhoP, rate, seconds = 0.1, 1000, 0.3*0.2*0.6*0.9*1000, 20
+    case = granularBox("conveyor", (-6, -2.98, -2.7), (2, 0.45, 6), (50, 20, 50))
+    case.types["xMin"] = "patch"
+    case.writeMesh()
+    writeStl(case, "housing.stl", plates(housing()))
+    writeStl(case, "upper.stl", plates(trough((0.3876, 1.3582), (-0.1083, -0.2047), (-1.5, 6), along="z")))
+    writeStl(case, "lower.stl", plates(trough((-2.6082, -1.9227), (-2.8619, -2.9583), (-6, 2), along="x")))
+    belt = "%s { type stl; file \"%s.stl\"; surfaceVelocity table (%s); }\n"
+    speeds = "(0 (0 0 0)) (2 (0 0 0)) (4 (0 0 -3)) (60 (0 0 -3))", " ".join("(%g (%g 0 0))" % (t, -u) for t, u in
+              ((0, 0), (4, 0), (5, 5), (9, 5), (10, 0), (14, 0), (15, 5), (19, 5), (20, 0), (60, 0)))
+    outsideOf(case, "materials { grain { density %g; } }\ncontacts { default { friction 0.1; restitution 0.1; } }\npatches { xMin { type exit; } }\n"
+              "walls { housing { type stl; file \"housing.stl\"; }\n%s%s}\n"
+              "grains { pour { type entering; region { type box; box (0.65 0.3 5.05) (1.15 0.4 5.85); } massRate %.17g; diameter %g; velocity (0 -0.2 0); } }"
+              % (rhoP, belt % ("upper", "upper", speeds[0]), belt % ("lower", "lower", speeds[1]), rate, d), 2e-3, seconds, 1)
+    report = case.run().report()
+    name = "conveyor"
+    judgeGrains(verdict, name, report, 2e-3)
+    verdict.near(name + ": mass that came [kg]", report["enteredMass"][-1], rate*seconds, 2*rhoP*volumeOf(d)/(rate*seconds))
+    #case.remove()
+
+
+def trough(across, heights, ends, along, panels=8):
+    """Panels of a belt whose cross-section is an arc: its edges at the first height, its middle at the second."""
+    half, sag, middle = (across[1] - across[0])/2, heights[0] - heights[1], sum(across)/2
+    radius = (half**2 + sag**2)/(2*sag)
+    angles = [(2*k/panels - 1)*math.asin(half/radius) for k in range(panels + 1)]
+    arc = [(middle + radius*math.sin(angle), heights[1] + radius*(1 - math.cos(angle))) for angle in angles]
+    put = (lambda side, y, end: (side, y, end)) if along == "z" else (lambda side, y, end: (end, y, side))
+    return [[put(*a, ends[0]), put(*b, ends[0]), put(*b, ends[1]), put(*a, ends[1])] for a, b in zip(arc, arc[1:])]
+
+
+def housing():
+    """Panels: a duct around the upper belt, a chute from its end down, which goes aside below, and a duct around the lower belt."""
+    x0, x1, z0, z1 = 0.375, 1.375, -2.625, -1.916
+    chute = [(0.5, -1.5), (-0.5, -1.5), (-1.5, z1), (-2, z1), (-2, z0), (-0.914, z0), (0.215, -2.256)]
+    sides = [[(x, y, z) for y, z in chute] for x in (x0, x1)]
+    plates = [[(x0, *a), (x1, *a), (x1, *b), (x0, *b)] for a, b in zip(chute, chute[1:] + chute[:1]) if a != (-2, z1) and a != (0.5, -1.5)]
+    duct = [[(x, -0.5, -1.5), (x, 0.5, -1.5), (x, 0.5, 6), (x, -0.5, 6)] for x in (x0, x1)] + [[(x0, -0.5, -1.5), (x1, -0.5, -1.5), (x1, -0.5, 6), (x0, -0.5, 6)]]
+    aside = [[(x0, -2, z), (x1, -2, z), (x1 - 0.5, -2.5, z), (x0 - 0.5, -2.5, z)] for z in (z0, z1)]
+    aside += [[(x, -2, z0), (x, -2, z1), (x - 0.5, -2.5, z1), (x - 0.5, -2.5, z0)] for x in (x0, x1)]
+    lower = [[(-6, -2.98, z), (2, -2.98, z), (2, -2.5, z), (-6, -2.5, z)] for z in (z0, z1)]
+    lower += [[(a, -2.5, z0), (b, -2.5, z0), (b, -2.5, z1), (a, -2.5, z1)] for a, b in ((-6, x0 - 0.5), (x1 - 0.5, 2))]
+    return sides + plates + duct + aside + lower
+
+
+CASES = (loopSeal, conveyor)
