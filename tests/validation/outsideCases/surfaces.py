@@ -6,14 +6,14 @@ import math
 import os
 
 
-def revolved(profile, around="y", center=(0, 0), sides=48, drop=lambda angle, height: False):
-    """Triangles of the surface that a profile ((height, radius) ...) sweeps around an axis; `drop` says which panels are left out, by the angle and
-    height of their middle."""
+def revolved(profile, around="y", center=(0, 0), sides=48, drop=lambda angle, radius, height: False):
+    """Triangles of the surface that a profile ((height, radius) ...) sweeps around an axis; `drop` says which panels are left out, by the angle,
+    radius and height of their middle."""
     panels = []
     for (h0, r0), (h1, r1) in zip(profile, profile[1:]):
         for k in range(sides):
             a, b = 2*math.pi*k/sides, 2*math.pi*(k + 1)/sides
-            if not drop((a + b)/2, (h0 + h1)/2):
+            if not drop((a + b)/2, (r0 + r1)/2, (h0 + h1)/2):
                 panels.append([point(around, center, h, r, angle) for h, r, angle in ((h0, r0, a), (h1, r1, a), (h1, r1, b), (h0, r0, b))])
     return plates(panels)
 
