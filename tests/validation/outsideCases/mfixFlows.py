@@ -151,11 +151,11 @@ def cycloneSms(verdict):
 
 def spoutedBedPseudo2d(verdict):
     """MFiX's spouted_bed_pseudo_2d: 5244 spheres of 3 mm between plates 16.7 mm apart, in a flat bed with a draft tube, air at 25 m/s through a channel of 15 mm; cells of
-    5 x 7.5 x 3.3 mm, Syamlal and O'Brien's drag, 0.3 s of 5.
+    5 x 7.5 x 3.3 mm, Syamlal and O'Brien's drag, 0.6 s of 5.
 
     The gas is an ideal one there, at a pressure that changes by 2 %; a file that asks for that is refused here, and its density is constant.
     The grains of the cone are laid above it. A spout shows: grains rise through the tube faster than others sink; gas that enters leaves."""
-    d, rhoP, U, seconds, half = 3e-3, 3000, 25, 0.3, 0.025/3
+    d, rhoP, U, seconds, half = 3e-3, 3000, 25, 0.6, 0.025/3
     case = SpoutCase(BUILD/"spoutedBedPseudo2d")
     case.fluid(AIR, AIR_MU, (0, -G, 0), sides={"inlet": superficial(U), "top": OUTLET}, pressureSides={"inlet": FIXED_FLUX})
     fill = "%s { type filling; region { type box; box (%g -0.0985 %g) (%g 0.02 %g); } packing { solidFraction 0.485; } diameter %g; }\n"
