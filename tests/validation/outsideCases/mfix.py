@@ -8,7 +8,7 @@ import math
 from foamCase import BoxCase
 from outsideCase import BUILD, FIXED_FLUX, G, OUTLET, meanBetween, shown, valuesOf
 from mfixMeshes import JetBedCase
-from surfaces import box, plates, revolved, turned, writeStl
+from surfaces import box, revolved, turned, writeStl
 
 AIR, AIR_MU = 1.205, 1.8e-5
 
@@ -44,7 +44,7 @@ def fluidBed2d(verdict):
     verdict.near(name + ": grains", report["grains"][-1], number, 0)
     judgeGrains(verdict, name, report, 1e-3)
     verdict.near(name + ": upward forces and momentum over weight and momentum won, from 0.2 s on", *bedBalance(case, report, 0.2, rhoP, U, width*d), 0.05)
-    #case.remove()
+    case.remove()
 
 
 def superficial(U):
@@ -112,7 +112,7 @@ def hopper3d(verdict):
     verdict.below(name + ": Beverloo's law for a flat floor over the rate", flat/rate, 1)
     verdict.below(name + ": the rate over that law for a cone, 15 degrees", rate/(flat*coneFactor(15)), 1)
     shown(name + ": rate, that law for a cone, 30 degrees [kg/s]", rate, flat*coneFactor(30))
-    #case.remove()
+    case.remove()
 
 
 def coneFactor(friction, slope=0.5/0.6):
@@ -157,7 +157,7 @@ def mixer3d(verdict):
     print("     mixer3d: Lacey's index each quarter of a second", " ".join("%.3f" % index for index in mixed))
     verdict.below(name + ": largest fall of Lacey's index below 0.8 in a quarter of a second", max(0.0, *(min(a, 0.8) - b for a, b in zip(mixed, mixed[1:]))), 0)
     verdict.below(name + ": 1 less Lacey's index after a turn", 1 - mixed[-1], 0.5)
-    #case.remove()
+    case.remove()
 
 
 def lacey(case, colors, time, side=0.2/6):
@@ -182,33 +182,28 @@ def hopperMassinflow(verdict):
     case = granularBox("hopperMassinflow", (0, -0.013, 0), (0.125, 0.16, 0.125), (25, 25, 25))
     profile = [(-0.013, 0), (-0.013, 0.0125), (0, 0.0125), (0.035, 0.0625), (0.16, 0.0625), (0.16, 0)]
     writeStl(case, "hopper.stl", revolved(profile, center=(0.0625, 0.0625)))
-    sizes = "sizes { type %s; by number; %s min %g; max %g; }"
     outsideOf(case, "materials { first { density 2500; } second { density 1000; } wall {} }\nwallMaterial wall;\ncontacts { default { friction 0.5; restitution 0.5; } }\n"
               "walls { hopper { type stl; file \"hopper.stl\"; } }\ngrains\n{\n"
-              "first { type filling; material first; region { type stl; file \"hopper.stl\"; } solidFraction 0.01; %s }\n"
-              "second { type entering; material second; region { type cylinder; axis (0.0625 0.145 0.0625) (0.0625 0.156 0.0625); radius 0.058; } massRate %.17g; "
-              "velocity (0 -0.1 0); %s }\n}" % (sizes % ("normal", "mean 2e-3; deviation 2e-4;", 1e-3, 3e-3), rate, sizes % ("logNormal", "median %.17g; geometricDeviation %.17g;" % logNormal(4.1e-3, 1e-3), 2e-3, 8e-3)), 1e-3, seconds)
+              "first { type filling; material first; region { type stl; file \"hopper.stl\"; } solidFraction 0.01;\n"
+              "sizes { type normal; by number; mean 2e-3; deviation 2e-4; min 1e-3; max 3e-3; } }\n"
+              "second { type entering; material second; region { type cylinder; axis (0.0625 0.145 0.0625) (0.0625 0.156 0.0625); radius 0.058; }\n"
+              "massRate %.17g; velocity (0 -0.1 0); sizes { type logNormal; by number; mean 4.1e-3; deviation 1e-3; min 2e-3; max 8e-3; } }\n}" % rate, 1e-3, seconds)
     report = case.run().report()
     name = "hopperMassinflow"
     judgeGrains(verdict, name, report, 2e-3)
     largest = 1000*volumeOf(8e-3)
     verdict.near(name + ": mass that came [kg]", report["enteredMass"][-1], rate*seconds, largest/(rate*seconds))
     mean = report["enteredMass"][-1]/report["entered"][-1]
-    verdict.near(name + ": mean mass of those that came [kg]", mean, 1000*math.pi/6*meanCube(*logNormal(4.1e-3, 1e-3), 2e-3, 8e-3), 0.06)
+    verdict.near(name + ": mean mass of those that came [kg]", mean, 1000*math.pi/6*meanCube(4.1e-3, 1e-3, 2e-3, 8e-3), 0.06)
     hull = 0.0125**2*math.pi*0.013 + math.pi/3*0.035*(0.0125**2 + 0.0125*0.0625 + 0.0625**2) + math.pi*0.0625**2*0.125
     verdict.near(name + ": volume of the first ones over that of the hopper", report["grainVolume"][0]/hull, 0.01, 0.05)
-    #case.remove()
+    case.remove()
 
 
-def logNormal(mean, deviation):
-    """Median and geometric deviation."""
-    variance = math.log(1 + (deviation/mean)**2)
-    return mean*math.exp(-variance/2), math.exp(math.sqrt(variance))
-
-
-def meanCube(median, spread, low, high, steps=2000):
+def meanCube(mean, deviation, low, high, steps=2000):
     """Of a log-normal size between bounds."""
-    middle, variance = math.log(median), math.log(spread)**2
+    variance = math.log(1 + (deviation/mean)**2)
+    middle = math.log(mean) - variance/2
     total = weight = 0.0
     for k in range(steps):
         d = low + (high - low)*(k + 0.5)/steps

@@ -29,19 +29,24 @@ def loopSeal(verdict):
                 "roof { type entering; region { type box; box (0.077 0.134 -0.0034) (0.123 0.138 0.0034); } massRate 0.1; diameter %g; velocity (0 -0.667 0); }\n}"
                 % (rhoP, fill % ("riser", -0.025, -0.149, 0.025, 0.05, d), fill % ("below", 0.025, -0.135, 0.075, -0.085, d),
                    fill % ("downcomer", 0.075, -0.149, 0.125, 0.13, d), d))
-    case.control(5e-4, seconds, extra="functions { outflow { type surfaceFieldValue; libs (fieldFunctionObjects); regionType patch; name outlet; operation sum; fields (phi); "
-                 "writeFields no; log no; } }")
+    case.control(5e-4, seconds, extra="functions { %s }" % fluxThrough("outlet"))
     report = case.run().report()
     name = "loopSeal"
     judgeGrains(verdict, name, report, 2e-3)
     verdict.near(name + ": mass that came through the roof [kg]", report["enteredMass"][-1] + report["waitingMass"][-1], 0.1*seconds, 0.002)
     verdict.below(name + ": mass that found no room, over that", report["waitingMass"][-1]/(0.1*seconds), 0.02)
-    flux = [value for _, value in valuesOf(case, "outflow")]
+    flux = [value for _, value in valuesOf(case, "outlet")]
     left = report["exited"][-1]*volumeOf(d)/seconds     # grains that enter take the place of air that is gone, those that leave go with the air
     verdict.near(name + ": air that leaves, mean, and grains that do, over air that enters", (sum(flux)/len(flux) + left)/(inflow + source), 1, 0.002)
     verdict.below(name + ": momentum error from 0.1 s on", max(report["momentumError"][200:]), 0.01)
     verdict.below(name + ": no grain has left, 1", float(report["exited"][-1] == 0), 0)
-    #case.remove()
+    case.remove()
+
+
+def fluxThrough(patch):
+    """A function object named as the patch."""
+    return ("%s { type surfaceFieldValue; libs (fieldFunctionObjects); regionType patch; name %s; operation sum; fields (phi); writeFields no; log no; }\n"
+            % (patch, patch))
 
 
 def aeration(source, place):
@@ -90,7 +95,7 @@ def conveyor(verdict):
     judgeGrains(verdict, name, report, 2e-3)
     verdict.below(name + ": lowest grain below the second belt [m]", -2.9583 - min(y for _, y, _ in case.cloud("position")), 0)
     verdict.near(name + ": mass that came [kg]", report["enteredMass"][-1], rate*seconds, 2*rhoP*volumeOf(d)/(rate*seconds))
-    #case.remove()
+    case.remove()
 
 
 def trough(across, heights, ends, along, panels=8):
@@ -132,9 +137,9 @@ def cycloneSms(verdict):
                 "patches { inlet { type wall; } top { type exit; } bottom { type exit; } }\n"
                 "grains { dust { type entering; region { type patch; patch inlet; by area; } massRate %.17g; diameter %g; velocity (0 0 %g); } }"
                 % (rhoP, 0.01*U*rhoP*case.inletArea, d, -U))
-    fluxes = "".join("%s { type surfaceFieldValue; libs (fieldFunctionObjects); regionType patch; name %s; operation sum; fields (phi); writeFields no; log no; }\n"
-                     % (side, side) for side in ("inlet", "top", "bottom"))
-    case.control(1e-3, seconds, extra="functions { flux { type grainFlux; planes { finder { point (0 0.88 0); normal (0 1 0); } pipe { point (0 0.02 0); normal (0 -1 0); } } }\n%s}" % fluxes)
+    fluxes = "".join(map(fluxThrough, ("inlet", "top", "bottom")))
+    case.control(1e-3, seconds, extra="functions { flux { type grainFlux; planes { finder { point (0 0.88 0); normal (0 1 0); }\n"
+                 "pipe { point (0 0.02 0); normal (0 -1 0); } } }\n%s}" % fluxes)
     report = case.run().report()
     name = "cycloneSms"
     judgeGrains(verdict, name, report, 2e-3)
@@ -146,7 +151,7 @@ def cycloneSms(verdict):
     net = sum(map(sum, rates.values()))/len(rates["inlet"]) + report["exited"][-1]*volumeOf(d)/seconds
     verdict.below(name + ": gas and grains that leave less gas that enters, mean, over that", abs(net)/(U*case.inletArea), 0.002)
     verdict.below(name + ": momentum error from 0.1 s on", max(report["momentumError"][100:]), 0.01)
-    #case.remove()
+    case.remove()
 
 
 def spoutedBedPseudo2d(verdict):
@@ -162,13 +167,12 @@ def spoutedBedPseudo2d(verdict):
     case.grains("materials { grain { density %g; } }\ncontacts { default { friction 0.1; restitution 0.7; } }\nforces { drag { law SyamlalOBrien; } }\n"
                 "patches { inlet { type wall; } top { type exit; } }\ngrains\n{\n%s%s}"
                 % (rhoP, fill % ("left", -0.05, -half, -0.0113, half, d), fill % ("right", 0.0113, -half, 0.05, half, d)))
-    case.control(5e-4, seconds, extra="functions { flux { type grainFlux; planes { tube { point (0 -0.06 0); normal (0 1 0); } } }\n"
-                 "outflow { type surfaceFieldValue; libs (fieldFunctionObjects); regionType patch; name top; operation sum; fields (phi); writeFields no; log no; } }")
+    case.control(5e-4, seconds, extra="functions { %s }" % fluxThrough("top"))
     report = case.run().report()
     name = "spoutedBedPseudo2d"
     judgeGrains(verdict, name, report, 2e-3)
     verdict.near(name + ": grains", report["grains"][0], 5244, 0.01)
-    flux = [value for _, value in valuesOf(case, "outflow")]
+    flux = [value for _, value in valuesOf(case, "top")]
     left = report["exited"][-1]*volumeOf(d)/seconds
     verdict.near(name + ": gas that leaves, mean, and grains that do, over gas that enters", (sum(flux)/len(flux) + left)/(U*0.015*2*half), 1, 0.002)
     rising = [v for (x, y, _), (_, v, _) in zip(case.cloud("position"), case.cloud("U")) if abs(x) < 0.0075 and -0.15 < y < -0.05]
@@ -177,7 +181,7 @@ def spoutedBedPseudo2d(verdict):
     verdict.below(name + ": 1 less the speed [m/s] of grains in the tube", 1 - mean(rising), 0)
     verdict.below(name + ": speed [m/s] of those beside it, upwards", mean(around), 0)
     verdict.below(name + ": momentum error from 0.1 s on", max(report["momentumError"][200:]), 0.01)
-    #case.remove()
+    case.remove()
 
 
 def mean(values):
