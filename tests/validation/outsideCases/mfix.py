@@ -92,7 +92,7 @@ def hopper3d(verdict):
 
     The flow through the hole, the mean from the first to the third quarter that has left, is that of Beverloo's law, 0.58 rho_b sqrt(g) (D - 1.4 d)^2.5, at least, since
     a cone helps, and at most (tan 39.8 tan phi)^-0.35 of it (Rose and Tanaka 1959) with phi = 15 degrees, the friction of a bed of spheres whose own is 0.1. That
-    factor was measured for 30 degrees and more: it gives 1.69, for 30 degrees 1.29; found is 1.20."""
+    factor was measured for 30 degrees and more: it gives 1.69, for 30 degrees 1.29; found is 1.23."""
     d, rhoP, number = 0.02, 2500, 8887
     case = granularBox("hopper3d", (-0.5, -2, -0.5), (0.5, 0.45, 0.5), (25, 60, 25))
     cone, bottom = -0.5 - 0.6*(1 - 0.1/0.5), -1.995
