@@ -4,7 +4,7 @@
 
 import math
 
-from foamCase import SOLUTION, vec
+from foamCase import SCHEMES, SOLUTION, vec
 from mfix import AIR, AIR_MU, granularBox, judgeGrains, massThrough, outsideOf, superficial, volumeOf
 from mfixMeshes import BlocksCase, CycloneCase, SpoutCase
 from outsideCase import BUILD, FIXED_FLUX, G, OUTLET, valuesOf
@@ -13,15 +13,17 @@ from surfaces import plates, writeStl
 
 def loopSeal(verdict):
     """MFiX's loop_seal_pseudo_2d: spheres of 3 mm between plates 10 mm apart in a riser, a downcomer and what joins them; air at 5 m/s from below the riser, 1 g/s of it
-    at a point of the downcomer, 0.1 kg/s of grains through its roof, and a leg to the outlet. 0.35 s of 5, steps of 0.5 ms.
+    at a point of the downcomer, 0.1 kg/s of grains through its roof, and a leg to the outlet. 0.25 s of 5, steps of 0.5 ms.
 
     The point source is one of alpha.fluid in the cell there, with the velocity of the air around it (there: 0.1 m/s). Meshes of 7.5 mm as there, along the walls here.
     All of the air has to leave by the outlet; its volume with that of the grains that leave is what has come."""
-    d, rhoP, half, seconds = 3e-3, 3000, 5e-3, 0.35
+    d, rhoP, half, seconds = 3e-3, 3000, 5e-3, 0.25
     case = BlocksCase(BUILD/"loopSeal", *loopSealBlocks(), half, -half, 2, "wall")
     inflow, source = 5*0.05*2*half, 1e-3/AIR
     case.fluid(AIR, AIR_MU, (0, -G, 0), sides={"inlet": superficial(5), "roof": "type noSlip;", "outlet": OUTLET},
                pressureSides={"inlet": FIXED_FLUX, "roof": FIXED_FLUX})
+    # Gauss's gradients on the leg's cells, sheared by 45 degrees, leave a momentum error of 1.6 %, in cells of right angles less than a third of that.
+    case.write("system/fvSchemes", SCHEMES.replace("gradSchemes          { default Gauss linear; }", "gradSchemes { default leastSquares; }"))
     case.write("constant/fvOptions", aeration(source, (0.12, 1e-6, 1e-6)))
     fill = "%s { type filling; region { type box; box (%g %g -0.005) (%g %g 0.005); } packing { solidFraction 0.4; } diameter %g; }\n"
     case.grains("materials { grain { density %g; } }\ncontacts { default { friction 0.1; restitution 0.7; } }\nforces { drag { law SyamlalOBrien; } }\n"
