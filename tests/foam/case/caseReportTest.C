@@ -158,13 +158,15 @@ TEST(ProgressLog, saysOnceWhatIsDoneWithoutBeingAskedFor)
         return notes;
     };
     const FluidSummary plain;
-    FluidSummary lagged, owing, owingLittle;
+    FluidSummary lagged, held, owing, owingLittle;
     StepRow moving;
-    lagged.isLagged = true;
+    lagged.isLagged = held.isLagged = true;
+    lagged.dragRatioMax = 0.01;    // that of grains which are held is 0: nothing is to be predicted of them
     owing.owedShare = 0.02;
     owingLittle.owedShare = 0.005;
     moving.volumeMoved = 1e-9;
     EXPECT_TRUE(notesOf(plain, StepRow()).empty());
+    EXPECT_TRUE(notesOf(held, StepRow()).empty());
     EXPECT_TRUE(notesOf(owingLittle, StepRow()).empty());
     const std::vector<std::tuple<FluidSummary, StepRow, const char*>> cases =
     {

@@ -31,9 +31,9 @@ def ergunTestMPI_cgs(verdict):
 
     They fall at 100 cm/s, for 0.1 s without a fluid; then gas flows, for 10 ms each at 0.2, 0.4 ... 2 cm/s, with Di Felice's drag. The
     original draws Ergun's law beside its drop, and the drop at which that law lifts the bed, which is the weight. From 1.6 cm/s on the
-    drop by Di Felice's law, 0.85 of Ergun's, is above the weight too. Last, ten steps
-    give the same in units that are powers of two of these: centimeters of 2^6, grams of 2^10; any number in the solver that had a unit
-    would show, while 0.01 m and 0.001 kg also round otherwise, which contacts at rest with friction answer by 1 % of the drop."""
+    drop by Di Felice's law, 0.85 of Ergun's, is above the weight too. Last, ten steps give the same in units that are powers of two of
+    these, so that no number in the solver has a unit (otherUnits beside this folder). In m and kg numbers round otherwise, which contacts
+    at rest with friction answer by 1 % of the drop of single steps."""
     filling = ergunCase("ergunFilling", "fluid none;\ngrains { type filling; region { type cylinder; axis (0 0 0) (0 0 5.5); radius 1.2; } number 10000; "
                         "diameter 0.1; velocity (0 0 -100); }")
     filling.control(1e-3, 0.1)

@@ -28,8 +28,10 @@ def singleParticleSedimentation(verdict):
 def cylindricalPackedBed(verdict):
     """Lethe's cylindrical-packed-bed: air at 0.2 m/s through 10 000 spheres of 1 mm in a cylinder of 20 mm, on 80 x 64 cells as there: Rong's drag, model B.
 
-    They fall onto a floor that air passes, with the friction and restitution of the original, and are held then, as there. Its script
-    draws Ergun's law for a fluid fraction of 0.4 beside the result; here the bed's own fraction stands beside that too."""
+    They fall onto a floor that air passes, with the friction, rolling friction and restitution of the original, and are held then, as
+    there. Its script draws Ergun's law for a fluid fraction of 0.4 beside the result, which is shown; judged are Rong's and Ergun's law for
+    the bed's own, layer by layer. Air prefers the loose cells at the wall, which takes 3 % off the drop by a layer's mean; Rong's law is
+    14 % off what is measured in packed beds."""
     d, number, rhoP, rhoF, nu, U = 1e-3, 10000, 2500, 1, 1e-5, 0.2
 
     def stage(name, settings, deltaT, endTime):
@@ -42,11 +44,13 @@ def cylindricalPackedBed(verdict):
         return case
 
     inner = stage("cylindricalPacking", "", 1, 1).innerRadius()
-    stage("cylindricalPacking", "fluid none;\ngrains { type filling; region { type cylinder; axis (0 0 -0.01) (0 0 0.06); radius %.17g; } number %d; diameter %g; }"
-          % (inner, number, d), 5e-4, 0.2).run()
+    packing = stage("cylindricalPacking", "fluid none;\ngrains { type filling; region { type cylinder; axis (0 0 -0.01) (0 0 0.06); radius %.17g; } number %d; diameter %g; }"
+                    % (inner, number, d), 5e-4, 0.2)
+    packing.run()
     case = stage("cylindricalPackedBed", "motion fixed;\nforces { model B; drag { law Rong; } }\n"
                  'grains { type time; case "../cylindricalPacking"; time latestTime; }', 5e-3, 0.2)
     drop = valuesOf(case.run(), "inletPressure")[-1][1]
+    packing.remove()
     verdict.near("cylindricalPackedBed: grains", len(case.cloud("d")), number, 0)
     verdict.near("cylindricalPackedBed: drop, Rong's law [Pa]", drop,
                  lawOverLayers(case, lambda alpha: hinderedGradient(rong, alpha, U, d, rhoF, rhoF*nu)), 0.05)

@@ -24,10 +24,10 @@ FIXED_FLUX = "type fixedFluxPressure; value uniform 0;"
 class CylinderCase(MeshedCase):
     """A cylinder about z: `core` x `core` cells in the middle, four times `core` x `ring` around them, `layers` along z.
 
-    Its patches are bottom, top and walls; the walls are 4 `core` flat faces around, whose corners lie on the radius."""
+    Its patches are bottom, top (of type `ends`) and walls; the walls are 4 `core` flat faces around, whose corners lie on the radius."""
 
-    def __init__(self, folder, radius, lower, upper, core, ring, layers):
-        super().__init__(folder, {"bottom": "patch", "top": "patch", "walls": "wall"})
+    def __init__(self, folder, radius, lower, upper, core, ring, layers, ends="patch"):
+        super().__init__(folder, {"bottom": ends, "top": ends, "walls": "wall"})
         self.radius, self.lower, self.upper, self.layers, self.core, self.ring = radius, lower, upper, layers, core, ring
         self.sides = 4*core
         self.writeMesh()
@@ -57,7 +57,8 @@ class CylinderCase(MeshedCase):
                         for corner, width in blocks)
         patches = {"bottom": [corner for corner, _ in blocks], "top": [raised(corner) for corner, _ in blocks],
                    "walls": [(a, b, b + 8, a + 8) for a, b, _, _ in rings]}
-        boundary = "".join("%s { type %s; faces (%s); }\n" % (name, self.types[name], " ".join("(%s)" % face(each) for each in faces))
+        neighbor = {"bottom": "neighbourPatch top; ", "top": "neighbourPatch bottom; "} if self.types["top"] == "cyclic" else {}
+        boundary = "".join("%s { type %s; %sfaces (%s); }\n" % (name, self.types[name], neighbor.get(name, ""), " ".join("(%s)" % face(each) for each in faces))
                            for name, faces in patches.items())
         self.write("system/blockMeshDict", "vertices\n(\n%s\n);\nedges\n(\n%s);\nblocks\n(\n%s);\nboundary\n(\n%s);"
                    % ("\n".join(map(vec, corners)), arcs, hexes, boundary))

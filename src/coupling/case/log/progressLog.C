@@ -41,7 +41,7 @@ const WarningRow warningRows[] =
 {
     {
         "Note", "no predictor", "weak drag in a light fluid: grains are handed to it with the velocity they have, without a predictor",
-        [](const StepRow&, const FluidSummary& f) { return f.isLagged ? max(f.dragRatioMax, VSMALL) : 0; }, 0, "of gamma dt/m"
+        [](const StepRow&, const FluidSummary& f) { return f.isLagged ? f.dragRatioMax : 0; }, 0, "of gamma dt/m"
     },
     {
         "Warning", "predictor at the cap", "the prediction of the grains' velocities did not converge: drag may be off in this step",
