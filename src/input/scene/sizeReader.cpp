@@ -5,6 +5,7 @@
 #include "input/scene/sizeReader.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace input
 {
@@ -39,10 +40,19 @@ nscd::SizeDistribution readNormal(const CheckedEntries& given)
     return nscd::normalSizes(given.number("mean", length), given.number("deviation", length), ends.smallest, ends.largest);
 }
 
+/// By median and geometric deviation, or by mean and deviation, all of them before the ends are cut off.
+/// Equation: geometric deviation exp(s), median mean exp(-s^2/2), s^2 = ln(1 + (deviation/mean)^2)
 nscd::SizeDistribution readLogNormal(const CheckedEntries& given)
 {
     const Ends ends = readEnds(given);
-    return nscd::logNormalSizes(given.number("median", length), given.number("geometricDeviation", above(1)), ends.smallest, ends.largest);
+    if (given.found("mean"))
+    {
+        const double mean = given.number("mean", length);
+        const double variance = std::log1p(std::pow(given.number("deviation", length)/mean, 2));
+        return nscd::logNormalSizes(mean*std::exp(-variance/2), std::exp(std::sqrt(variance)), ends.smallest, ends.largest);
+    }
+    const double median = given.number("median", length);
+    return nscd::logNormalSizes(median, given.number("geometricDeviation", above(1)), ends.smallest, ends.largest);
 }
 
 nscd::SizeDistribution readRosinRammler(const CheckedEntries& given)

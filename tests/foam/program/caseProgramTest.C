@@ -97,6 +97,8 @@ TEST(Program, stopsAtFilesOfOpenFOAMThatItWouldIgnore)
     const std::string zone = "\nrotor { cellZone rotor; }";
     EXPECT_TRUE(isRefusedWith("constant/MRFProperties", zone, {"constant/MRFProperties", "rotor.cellZone", "no cell zone"}));
     EXPECT_TRUE(isRefusedWith("constant/dynamicMeshDict", "mover { type motionSolver; }", {"constant/dynamicMeshDict", "moves the mesh"}));
+    const std::string gas = "thermoType { type hePsiThermo; equationOfState perfectGas; }";
+    EXPECT_TRUE(isRefusedWith("constant/thermophysicalProperties", gas, {"constant/thermophysicalProperties", "thermoType", "rho in constant/transportProperties"}));
     const ProgramCase harmless(Files{{"constant/fvOptions", "\n"}, {"constant/MRFProperties", "\n"}, {"constant/dynamicMeshDict", "dynamicFvMesh staticFvMesh;"}});
     EXPECT_TRUE(succeeds(harmless.run()));
 }

@@ -6,6 +6,9 @@
 #include "input/start/placement.hpp"
 #include "unit/input/folders.hpp"
 
+#include <cmath>
+#include <cstdint>
+
 using input::Vec3;
 
 namespace
@@ -215,4 +218,26 @@ TEST_F(Placements, clumpsOfMembersThatAreLightYearsApartAreAMistake)
         write("pebble.txt", far);
         EXPECT_THROW(read(source, around()), input::InputError) << far;
     }
+}
+
+/// With many draws between wide ends mean and deviation come back.
+TEST_F(Placements, logNormalSizesByMeanAndDeviationHaveThese)
+{
+    const std::string start = "grains { type entering; region { type box; box (0 0 0) (1 1 1); } rate 80; number 17; material glass; sizes { type logNormal; min 1e-4; max 1; ";
+    const input::Scene scene = read(start + "mean 0.0041; deviation 0.001; } }", around());
+    std::uint64_t state = 1;
+    const nscd::RandomNumbers random = [&] { return ((state = state*6364136223846793005ULL + 1442695040888963407ULL) >> 11)*0x1p-53; };
+    const int draws = 100000;
+    double sum = 0, squares = 0;
+    for (int k = 0; k < draws; ++k)
+    {
+        const double d = scene.entries.at(0).sizes.draw(random);
+        sum += d;
+        squares += d*d;
+    }
+    const double mean = sum/draws;
+    EXPECT_NEAR(mean, 0.0041, 0.00002);
+    EXPECT_NEAR(std::sqrt(squares/draws - mean*mean), 0.001, 0.00002);
+    EXPECT_THROW(read(start + "mean 0.0041; median 0.004; deviation 0.001; } }", around()), input::InputError);
+    EXPECT_THROW(read(start + "median 0.0041; deviation 0.001; } }", around()), input::InputError);
 }

@@ -109,10 +109,10 @@ class WrittenCase(CaseFolder):
         self.call(program)
         return self
 
-    def call(self, program):
+    def call(self, program, *options):
         log = os.path.join(self.folder, "log." + program)
         with open(log, "w") as file:
-            status = subprocess.call([program], cwd=self.folder, stdout=file, stderr=subprocess.STDOUT,
+            status = subprocess.call([program, *options], cwd=self.folder, stdout=file, stderr=subprocess.STDOUT,
                                      env=dict(os.environ, PWD=self.folder))
         if status != 0:
             with open(log) as file:

@@ -39,11 +39,18 @@ void refuseRotatingZones(const Time& time, bool solvesFluid)
     refuseAny(readIfPresent(time, time.constant(), name), problem, "no such file, or a fluid");
 }
 
+void refuseStatesOfGas(const Time& time)
+{
+    const string problem = "asks for a fluid whose density follows from pressure and temperature, where it is constant";
+    refuseAny(readIfPresent(time, time.constant(), "thermophysicalProperties"), problem, "no such file, and nu and rho in constant/transportProperties");
+}
+
 } // namespace
 
 
 void refuseUnsupportedFiles(const Time& time, bool solvesFluid)
 {
+    if (solvesFluid) refuseStatesOfGas(time);
     for (const word& folder : {time.constant(), time.system()})
     {
         if (solvesFluid) continue;
