@@ -53,7 +53,7 @@ def cylindricalPackedBed(verdict):
     packing.remove()
     verdict.near("cylindricalPackedBed: grains", len(case.cloud("d")), number, 0)
     verdict.near("cylindricalPackedBed: drop, Rong's law [Pa]", drop,
-                 lawOverLayers(case, lambda alpha: hinderedGradient(rong, alpha, U, d, rhoF, rhoF*nu)), 0.05)
+                 lawOverLayers(case, lambda alpha: hinderedGradient(rong, alpha, U, d, rhoF, rhoF*nu)), 0.03)
     verdict.near("cylindricalPackedBed: drop, Ergun's law [Pa]", drop,
                  lawOverLayers(case, lambda alpha: ergunGradient(alpha, U, d, rhoF, rhoF*nu)), 0.15)
     height = number*math.pi/6*d**3/(0.6*math.pi*0.01**2)
