@@ -70,14 +70,11 @@ def meanPressures(*patches):
                                         "fields (p_rgh); writeFields no; log no; }\n" % (patch, patch) for patch in patches)
 
 
-CASES = (fluidBed2d,)
-
-
-def outsideOf(case, grains, deltaT, endTime, interval=None):
-    """Of a case without a fluid: settings and times."""
+def withoutFluid(case, grains, deltaT, endTime, interval=None, extra=""):
+    """Settings and times of a case of grains alone."""
     case.gravity((0, -G, 0))
     case.grains("fluid none;\n" + grains)
-    case.control(deltaT, endTime, interval or endTime)
+    case.control(deltaT, endTime, interval or endTime, extra=extra)
     return case
 
 
@@ -97,9 +94,9 @@ def hopper3d(verdict):
     case = granularBox("hopper3d", (-0.5, -2, -0.5), (0.5, 0.45, 0.5), (25, 60, 25))
     cone, bottom = -0.5 - 0.6*(1 - 0.1/0.5), -1.995
     writeStl(case, "hopper.stl", revolved([(0.45, 0.5), (-0.5, 0.5), (cone, 0.1), (-1.395, 0.1), (-1.395, 0.25), (bottom, 0.25), (bottom, 0)]))
-    outsideOf(case, "materials { grain { density %g; } }\ncontacts { default { friction 0.1; restitution 0.5; } }\nwalls { hopper { type stl; file \"hopper.stl\"; } }\n"
-              "grains { type filling; region { type cylinder; axis (0 -0.5 0) (0 -0.25 0); radius 0.49; } number %d; diameter %g; }" % (rhoP, number, d), 1e-3, 3.2)
-    case.control(1e-3, 3.2, 3.2, extra="functions { flux { type grainFlux; planes { hole { point (0 %g 0); normal (0 -1 0); } } } }" % cone)
+    withoutFluid(case, "materials { grain { density %g; } }\ncontacts { default { friction 0.1; restitution 0.5; } }\nwalls { hopper { type stl; file \"hopper.stl\"; } }\n"
+              "grains { type filling; region { type cylinder; axis (0 -0.5 0) (0 -0.25 0); radius 0.49; } number %d; diameter %g; }" % (rhoP, number, d), 1e-3, 3.2,
+                 extra="functions { flux { type grainFlux; planes { hole { point (0 %g 0); normal (0 -1 0); } } } }" % cone)
     report = case.run().report()
     name = "hopper3d"
     verdict.near(name + ": grains", report["grains"][-1], number, 0)
@@ -144,7 +141,7 @@ def mixer3d(verdict):
         writeStl(case, side + ".stl", sum(blades, revolved([(low, 0), (low, 0.02), (low + 0.04, 0.02), (low + 0.04, 0)], around="z", sides=32)))
     wall = "%s { type stl; file \"%s.stl\"; motion { type rotation; origin (0 0 0); axis (0 0 1); omega table ((0 0) (%g 0) (%g %.17g)); } }\n"
     part = "%s { type filling; region { type box; box (-0.07 -0.07 %g) (0.07 0.0547 %g); } packing { solidFraction 0.5; } diameter %g; }\n"
-    outsideOf(case, "materials { grain { density %g; } }\ncontacts { default { friction 0.1; restitution 0.9; } }\nwalls { drum { type stl; file \"drum.stl\"; }\n%s%s}\n"
+    withoutFluid(case, "materials { grain { density %g; } }\ncontacts { default { friction 0.1; restitution 0.9; } }\nwalls { drum { type stl; file \"drum.stl\"; }\n%s%s}\n"
               "grains\n{\n%s%s%s}" % (rhoP, wall % ("front", "front", rest, rest + 1e-3, omega), wall % ("back", "back", rest, rest + 1e-3, -omega),
                                      part % ("left", -0.1, -0.07, d), part % ("middle", -0.03, 0.03, d), part % ("right", 0.07, 0.1, d)),
               5e-4, rest + 1, 0.05)
@@ -182,7 +179,7 @@ def hopperMassinflow(verdict):
     case = granularBox("hopperMassinflow", (0, -0.013, 0), (0.125, 0.16, 0.125), (25, 25, 25))
     profile = [(-0.013, 0), (-0.013, 0.0125), (0, 0.0125), (0.035, 0.0625), (0.16, 0.0625), (0.16, 0)]
     writeStl(case, "hopper.stl", revolved(profile, center=(0.0625, 0.0625)))
-    outsideOf(case, "materials { first { density 2500; } second { density 1000; } wall {} }\nwallMaterial wall;\ncontacts { default { friction 0.5; restitution 0.5; } }\n"
+    withoutFluid(case, "materials { first { density 2500; } second { density 1000; } wall {} }\nwallMaterial wall;\ncontacts { default { friction 0.5; restitution 0.5; } }\n"
               "walls { hopper { type stl; file \"hopper.stl\"; } }\ngrains\n{\n"
               "first { type filling; material first; region { type stl; file \"hopper.stl\"; } solidFraction 0.01;\n"
               "sizes { type normal; by number; mean 2e-3; deviation 2e-4; min 1e-3; max 3e-3; } }\n"

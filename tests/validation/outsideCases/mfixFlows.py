@@ -5,7 +5,7 @@
 import math
 
 from foamCase import SCHEMES, SOLUTION, vec
-from mfix import AIR, AIR_MU, granularBox, judgeGrains, massThrough, outsideOf, superficial, volumeOf
+from mfix import AIR, AIR_MU, granularBox, judgeGrains, massThrough, withoutFluid, superficial, volumeOf
 from mfixMeshes import BlocksCase, CycloneCase, SpoutCase
 from outsideCase import BUILD, FIXED_FLUX, G, OUTLET, valuesOf
 from surfaces import plates, writeStl
@@ -88,7 +88,7 @@ def conveyor(verdict):
     belt = "%s { type stl; file \"%s.stl\"; surfaceVelocity table (%s); }\n"
     speeds = "(0 (0 0 0)) (2 (0 0 0)) (4 (0 0 -3)) (60 (0 0 -3))", " ".join("(%g (%g 0 0))" % (t, -u) for t, u in
               ((0, 0), (4, 0), (5, 5), (9, 5), (10, 0), (14, 0), (15, 5), (19, 5), (20, 0), (60, 0)))
-    outsideOf(case, "materials { grain { density %g; } }\ncontacts { default { friction 0.1; restitution 0.1; } }\npatches { xMin { type exit; } }\n"
+    withoutFluid(case, "materials { grain { density %g; } }\ncontacts { default { friction 0.1; restitution 0.1; } }\npatches { xMin { type exit; } }\n"
               "walls { housing { type stl; file \"housing.stl\"; }\n%s%s}\n"
               "grains { pour { type entering; region { type box; box (0.65 0.3 5.05) (1.15 0.4 5.85); } massRate %.17g; diameter %g; velocity (0 -0.2 0); } }"
               % (rhoP, belt % ("upper", "upper", speeds[0]), belt % ("lower", "lower", speeds[1]), rate, d), 2e-3, seconds, 1)
