@@ -13,13 +13,18 @@ namespace
 /// The film of fluid between two surfaces; where the fluid is solved, its viscosity is the fluid's, unless it is given.
 void readFilm(const CheckedEntries& given, bool hasFluid, nscd::ContactPair& pair)
 {
+    const Range anyViscosity = atLeast(0, unit::dynamicViscosity);
     pair.roughness = given.number("roughness", atLeast(0, unit::length), 0.0);
-    const bool hasFilm = pair.roughness > 0.0;
-    const Range ranges = hasFilm ? above(0, unit::length) : atLeast(0, unit::length), viscosities = atLeast(0, unit::dynamicViscosity);
-    pair.lubricationRange = hasFilm ? given.number("lubricationRange", ranges) : given.number("lubricationRange", ranges, 0.0);
+    if (pair.roughness > 0.0)
+    {
+        pair.lubricationRange = given.number("lubricationRange", above(0, unit::length));
+        pair.lubricationViscosity = hasFluid
+            ? given.number("lubricationViscosity", anyViscosity, 0.0) : given.number("lubricationViscosity", above(0, unit::dynamicViscosity));
+        return;
+    }
+    pair.lubricationRange = given.number("lubricationRange", atLeast(0, unit::length), 0.0);
+    pair.lubricationViscosity = given.number("lubricationViscosity", anyViscosity, 0.0);
     if (pair.lubricationRange > 0.0) given.require("roughness", "the thickness of the film that is left where surfaces touch, as 1e-6 [m]; 0: no film");
-    pair.lubricationViscosity = hasFilm && !hasFluid
-        ? given.number("lubricationViscosity", above(0, unit::dynamicViscosity)) : given.number("lubricationViscosity", viscosities, 0.0);
 }
 
 nscd::ContactPair readPair(const Dictionary& dict, bool hasFluid)

@@ -57,8 +57,8 @@ public:
     /// The rebounds come next, from the bodies' free velocities: adds impulses that the motion has given and rebounds do not change.
     virtual void beginShock(ContactList&) {}
 
-    /// Adds what the law made of a step.
-    virtual void addForces(const ContactList&, const Scene&, double deltaT, ContactSums& sums) const = 0;
+    /// Adds what the law made of a step; here, the impulses that known() has.
+    virtual void addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const;
     /// Impulse known beforehand of a slot, on A [N s].
     virtual Vec3 known(std::size_t /*slot*/) const { return Vec3::Zero(); }
     /// Moment impulse of a slot on A [N m s].

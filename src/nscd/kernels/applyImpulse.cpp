@@ -24,4 +24,9 @@ void applyImpulse(Body& a, Body& b, const double n[3], const double delta[3])
     }
 }
 
+Vec3 relativeVelocity(const Body& a, const Body& b, const Vec3& n)
+{
+    return Vec3(a.v) - Vec3(b.v) - (Vec3(a.s) + Vec3(b.s)).cross(n);
+}
+
 } // namespace nscd

@@ -25,6 +25,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     const std::vector<Body> freeBodies = std::move(list.bodies);
     list.bodies = inelastic.bodies;
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
+    // What the motion leaves a film between does not hit, however thin the film.
     if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, materials.anyRoughness() ? 0.0 : deadBand())) return;
 
     ContactProblem problem = makeProblem(external.speedScale);

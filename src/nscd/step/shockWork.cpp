@@ -4,6 +4,8 @@
 // The energy account of a shock.
 #include "nscd/step/shockWork.hpp"
 
+#include "nscd/kernels/applyImpulse.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,12 +14,6 @@ namespace nscd
 
 namespace
 {
-
-/// u of a pair of bodies that touch with normal n.
-Vec3 relativeVelocity(const Body& a, const Body& b, const Vec3& n)
-{
-    return Vec3(a.v) - Vec3(b.v) - (Vec3(a.s) + Vec3(b.s)).cross(n);
-}
 
 /// target + share (list - target), for velocities and impulses.
 void moveBetween(ContactList& list, const Shock& target, double share)

@@ -6,7 +6,6 @@
 
 #include "nscd/contacts/contactList.hpp"
 #include "nscd/contacts/general/generalSweep.hpp"
-#include "nscd/contacts/wallForce.hpp"
 #include "nscd/kernels/applyImpulse.hpp"
 
 #include <algorithm>
@@ -65,19 +64,6 @@ void Cohesion::giveKnown(ContactList& list, double deltaT, double deadBand)
         for (int k = 0; k < 3; ++k) cohesive.attraction[k] = -deltaT*cohesive.force*n[k];
         push(list, slot, cohesive.attraction);
         if (cohesive.isBond && gap > deadBand) block.bias[lane] = (gap - deadBand)/deltaT;
-    }
-}
-
-void Cohesion::addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const
-{
-    for (std::size_t slot = 0; slot < slots_.size(); ++slot)
-    {
-        if (slots_[slot].attraction == Vec3::Zero()) continue;
-        const ContactBlock& block = list.blocks[slot/blockLanes];
-        const Vec3 onA = slots_[slot].attraction/deltaT;
-        sums.force[block.a[slot % blockLanes]] += onA;
-        if (list.wall[slot] >= 0) addWallForce(list, scene, slot, onA, sums.wall);
-        else sums.force[block.b[slot % blockLanes]] -= onA;
     }
 }
 

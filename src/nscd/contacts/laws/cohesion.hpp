@@ -33,7 +33,6 @@ public:
     void beginStep(const ContactList& list) override;
     /// Attractions, from the gaps at the start of the step; bonds beyond the dead band [m] get their bias.
     void giveKnown(ContactList& list, double deltaT, double deadBand) override;
-    void addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const override;
     Vec3 known(std::size_t slot) const override { return slots_[slot].attraction; }
 };
 

@@ -4,9 +4,11 @@
 // The table of laws beside Coulomb's, a file each.
 #include "nscd/contacts/contactLaw.hpp"
 
+#include "nscd/contacts/contactList.hpp"
 #include "nscd/contacts/laws/cohesion.hpp"
 #include "nscd/contacts/laws/lubrication.hpp"
 #include "nscd/contacts/laws/rollingFriction.hpp"
+#include "nscd/contacts/wallForce.hpp"
 
 #include <algorithm>
 
@@ -22,6 +24,19 @@ std::unique_ptr<ContactLaw> make() { return std::make_unique<Law>(); }
 double none(const Materials&) { return 0.0; }
 
 } // namespace
+
+void ContactLaw::addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const
+{
+    for (std::size_t slot = 0; slot < list.slots(); ++slot)
+    {
+        const Vec3 onA = known(slot)/deltaT;
+        if (onA == Vec3::Zero()) continue;
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        sums.force[block.a[slot % blockLanes]] += onA;
+        if (list.wall[slot] >= 0) addWallForce(list, scene, slot, onA, sums.wall);
+        else sums.force[block.b[slot % blockLanes]] -= onA;
+    }
+}
 
 const std::vector<ContactLawRow>& contactLaws()
 {

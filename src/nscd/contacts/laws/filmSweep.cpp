@@ -4,7 +4,6 @@
 // The local solution of a contact with a film, and passes of it.
 #include "nscd/contacts/laws/filmSweep.hpp"
 
-#include "nscd/base/vec3.hpp"
 #include "nscd/kernels/applyImpulse.hpp"
 
 #include <algorithm>
@@ -21,11 +20,6 @@ Vec3 inBlock(const double (&of)[3][blockLanes], int lane) { return Vec3(of[0][la
 void set(double (&of)[3][blockLanes], int lane, const Vec3& x)
 {
     for (int k = 0; k < 3; ++k) of[k][lane] = x[k];
-}
-
-Vec3 relativeVelocity(const Body& a, const Body& b, const Vec3& n)
-{
-    return Vec3(a.v) - Vec3(b.v) - (Vec3(a.s) + Vec3(b.s)).cross(n);
 }
 
 /// A film along the normal, thicknesses over the time step.

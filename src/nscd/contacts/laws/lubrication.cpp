@@ -6,7 +6,6 @@
 
 #include "nscd/contacts/contactList.hpp"
 #include "nscd/contacts/laws/filmSweep.hpp"
-#include "nscd/contacts/wallForce.hpp"
 #include "nscd/kernels/applyImpulse.hpp"
 
 #include <algorithm>
@@ -117,19 +116,6 @@ void Lubrication::beginShock(ContactList& list)
     std::fill(blocks_.begin(), blocks_.end(), LawBlock());
     list.halo.takeVelocities(list.bodies);
     list.halo.giveVelocities(list.bodies);
-}
-
-void Lubrication::addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const
-{
-    for (std::size_t slot = 0; slot < films_.size(); ++slot)
-    {
-        if (films_[slot].given == Vec3::Zero()) continue;
-        const ContactBlock& block = list.blocks[slot/blockLanes];
-        const Vec3 onA = films_[slot].given/deltaT;
-        sums.force[block.a[slot % blockLanes]] += onA;
-        if (list.wall[slot] >= 0) addWallForce(list, scene, slot, onA, sums.wall);
-        else sums.force[block.b[slot % blockLanes]] -= onA;
-    }
 }
 
 } // namespace nscd

@@ -37,7 +37,6 @@ public:
     /// The impulses of films belong to the motion before a shock, which is over in no time.
     void beginShock(ContactList& list) override;
 
-    void addForces(const ContactList& list, const Scene& scene, double deltaT, ContactSums& sums) const override;
     /// The film's impulse in the last motion solved.
     Vec3 known(std::size_t slot) const override { return films_[slot].given; }
 
