@@ -68,14 +68,7 @@ TEST(Ranks, haveFilmsBetweenGrainsAsOneRankHas)
     files["constant/grainProperties"] += "solver { tolerance 1e-8; displacementTolerance 1e-11; maxSweeps 100000; }";
     const ProgramCase alone(files, control);
     EXPECT_TRUE(succeeds(alone.run()));
-    for (const labelVector& parts : {labelVector(2, 1, 1), labelVector(1, 1, 3)})
-    {
-        SCOPED_TRACE(cmptProduct(parts));
-        const ProgramCase together(files, control);
-        EXPECT_TRUE(succeeds(together.decompose(parts)));
-        EXPECT_TRUE(succeeds(together.runOn(cmptProduct(parts))));
-        expectSameMotion(alone, together, 0.0195, 12);
-    }
+    runOnTwoAndThree(files, control, [&](const ProgramCase& together) { expectSameMotion(alone, together, 0.0195, 12); });
     const ProgramCase whole(falling(film), control), stopped(falling(film), "writeFormat binary; endTime 0.01; writeInterval 10;");
     runWholeAndInParts(whole, stopped, labelVector(2, 1, 1), control);
     EXPECT_EQ(filesThatDiffer(whole, stopped, 2, "0.02"), std::vector<std::string>());

@@ -4,6 +4,7 @@
 // Parcels in runs of the program: they settle, resist and warm up as their real grains, are counted in both, and go on over restarts and ranks.
 #include "caseTools.H"
 #include "heatCase.H"
+#include "rankRuns.H"
 #include "writtenCase.H"
 #include "writtenFields.H"
 
@@ -268,17 +269,13 @@ TEST(Ranks, haveTheParcelsOfOneRank)
     const std::string control = "endTime 0.06; deltaT 2e-3; writeInterval 1000;";
     const ProgramCase alone(files, control);
     EXPECT_TRUE(succeeds(alone.run()));
-    for (const labelVector& parts : {labelVector(2, 1, 1), labelVector(1, 1, 3)})
+    runOnTwoAndThree(files, control, [&](const ProgramCase& together)
     {
-        SCOPED_TRACE(cmptProduct(parts));
-        const ProgramCase together(files, control);
-        EXPECT_TRUE(succeeds(together.decompose(parts)));
-        EXPECT_TRUE(succeeds(together.runOn(cmptProduct(parts))));
         expectAllCounted(together, "0", realAtStart);
         for (const char* column : {"realGrains", "realExited", "realEntered"}) EXPECT_EQ(alone.reported("0", column), together.reported("0", column)) << column;
         const std::vector<double> here = alone.reported("0", "massCenterZ"), there = together.reported("0", "massCenterZ");
         for (std::size_t k = 0; k < 10; ++k) EXPECT_NEAR(here[k], there.at(k), 1e-6) << k;
-    }
+    });
 }
 
 TEST(Ranks, goOnWithParcelsOnAnotherNumber)

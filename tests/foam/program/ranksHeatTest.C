@@ -42,16 +42,11 @@ TEST(Ranks, shareHeatAsOneRankHasIt)
 {
     const ProgramCase alone(pouringFiles(), "endTime 0.04; deltaT 2e-3;");
     EXPECT_TRUE(succeeds(alone.run()));
-    for (const labelVector& parts : {labelVector(2, 1, 1), labelVector(1, 1, 3)})
+    runOnTwoAndThree(pouringFiles(), "endTime 0.04; deltaT 2e-3;", [&](const ProgramCase& together)
     {
-        const label ranks = cmptProduct(parts);
-        SCOPED_TRACE(ranks);
-        const ProgramCase together(pouringFiles(), "endTime 0.04; deltaT 2e-3;");
-        EXPECT_TRUE(succeeds(together.decompose(parts)));
-        EXPECT_TRUE(succeeds(together.runOn(ranks)));
         expectSame(alone, together, 1e-8);
         expectBalance(together, "0");
-    }
+    });
 }
 
 TEST(Ranks, areRefusedHeatThroughContactsInWords)

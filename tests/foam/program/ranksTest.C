@@ -276,16 +276,11 @@ void expectSameMotionOnRanks(const std::string& heap, const Files& more)
     EXPECT_TRUE(succeeds(alone.run()));
     EXPECT_TRUE(succeeds(without.run()));
     EXPECT_GT(difference(alone, without, "massCenterX", 8) + difference(alone, without, "massCenterY", 8), 1e-3*diameter);
-    for (const labelVector& parts : {labelVector(2, 1, 1), labelVector(1, 1, 3)})
+    runOnTwoAndThree(files, control, [&](const ProgramCase& together)
     {
-        const label ranks = cmptProduct(parts);
-        SCOPED_TRACE(ranks);
-        const ProgramCase together(files, control);
-        EXPECT_TRUE(succeeds(together.decompose(parts)));
-        EXPECT_TRUE(succeeds(together.runOn(ranks)));
         expectSameMotion(alone, together, diameter, 8);
         EXPECT_LT(largest(together.reported("0", "momentumError")), 1e-9);
-    }
+    });
 }
 
 } // namespace
