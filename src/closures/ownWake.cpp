@@ -15,6 +15,8 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double cubeFlow = 0.1235;
+/// Flow of a force spread by the smoothing alone, sampled likewise, times l: 1/(3 pi^2) times the integral of the square of the kernel's transform.
+constexpr double smoothedFlow = 0.020403;
 constexpr double nearAcross = 0.10;
 constexpr double nearAlong = 0.29;
 constexpr double fractionSlope = 0.09;
@@ -27,13 +29,14 @@ constexpr double manyOthers = 0.01;
 
 double flowInOwnCell(double cellVolume, double smoothingArea)
 {
-    const double smoothed = 12*pi*cubeFlow;
+    const double smoothed = cubeFlow/smoothedFlow;
     return cubeFlow/std::sqrt(std::pow(cellVolume, 2.0/3) + smoothed*smoothed*smoothingArea);
 }
 
 Eigen::Matrix3d flowInOtherCell(const Eigen::Vector3d& distance, double side, double smoothingArea)
 {
-    const double length = std::sqrt(distance.squaredNorm() + 4*smoothingArea);
+    const double smoothed = 1/(8*pi*smoothedFlow);
+    const double length = std::sqrt(distance.squaredNorm() + smoothed*smoothed*smoothingArea);
     const double near = std::pow(side/length, 6);
     const Eigen::Vector3d direction = distance/length;
     const Eigen::Matrix3d along = direction*direction.transpose();

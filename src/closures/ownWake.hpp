@@ -17,11 +17,12 @@ namespace closures
 {
 
 /// Flow of a unit force spread over a cell, sampled from that cell, times the viscosity [1/m].
-/// Equation: c/sqrt(V^(2/3) + (12 pi c)^2 l^2), c = 0.1235 measured for cubes; l^2 the area over which fields are smoothed besides
+/// Equation: c/sqrt(V^(2/3) + (c/b)^2 l^2), c = 0.1235 measured for cubes; l^2 the area over which fields are smoothed besides, by a kernel
+///           (1 - r^2/a^2)^2 with a = 3 sqrt(2) l, for which b = 0.0204
 double flowInOwnCell(double cellVolume, double smoothingArea);
 
 /// Flow of a unit force spread over a cell of side h, sampled from another one at the distance r, times the viscosity [1/m].
-/// Equation: ((1 + 0.10 q) I + (1 + 0.29 q) r r/s^2)/(8 pi s), s^2 = r^2 + 4 l^2, q = (h/s)^6: Oseen's tensor but for cells that touch
+/// Equation: ((1 + 0.10 q) I + (1 + 0.29 q) r r/s^2)/(8 pi s), s^2 = r^2 + 3.80 l^2, q = (h/s)^6: Oseen's tensor but for cells that touch
 Eigen::Matrix3d flowInOtherCell(const Eigen::Vector3d& distance, double side, double smoothingArea);
 
 /// What the grain's own part of the solid fraction adds to the flow.

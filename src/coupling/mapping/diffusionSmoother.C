@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Conservative smoothing of cell fields over a length, by one implicit diffusion step.
+// Conservative smoothing of cell fields over a length, by explicit stages of diffusion.
 #include "coupling/mapping/diffusionSmoother.H"
 
 #include "cyclicAMIFvPatch.H"
-#include "cyclicPolyPatch.H"
-#include "processorFvPatch.H"
-#include "gaussLaplacianScheme.H"
-#include "surfaceFields.H"
 #include "zeroGradientFvPatchFields.H"
 
 #include <cmath>
@@ -20,15 +16,16 @@ namespace nscdCoupling
 namespace
 {
 
-dictionary tightSolver()
+// Index of the Gegenbauer polynomials: in 3D the kernel is (1 - r^2/a^2)^(index - 2). With 3/2 (Legendre's is 1/2) it is negative inside.
+constexpr label gegenbauer = 4;
+
+// Largest w |z|. At 2 what alternates from cell to cell would stay.
+constexpr scalar mostDamped = 1.5;
+
+// Grains reach no cells beyond a patch between halves of a mesh that slide past each other, and neither does what they are smoothed to.
+bool passes(const fvPatch& patch)
 {
-    dictionary controls;
-    controls.add("solver", word("PCG"));
-    controls.add("preconditioner", word("DIC"));
-    controls.add("tolerance", 1e-13);
-    controls.add("relTol", 0);
-    controls.add("maxIter", 1000);
-    return controls;
+    return patch.coupled() && !isA<cyclicAMIFvPatch>(patch);
 }
 
 wordList borderTypes(const fvMesh& mesh)
@@ -37,21 +34,16 @@ wordList borderTypes(const fvMesh& mesh)
     forAll(types, patchI)
     {
         const polyPatch& patch = mesh.boundaryMesh()[patchI];
-        if (polyPatch::constraintType(patch.type()))
-        {
-            types[patchI] = patch.type();
-        }
+        if (polyPatch::constraintType(patch.type())) types[patchI] = patch.type();
     }
     return types;
 }
 
-/// Grains reach no cells beyond a patch between halves of a mesh that slide past each other, and neither does what they are smoothed to.
-void closeSliding(surfaceScalarField& faces)
+label leastStages(const scalar largestRate)
 {
-    forAll(faces.boundaryField(), patchI)
-    {
-        if (isA<cyclicAMIFvPatch>(faces.mesh().boundary()[patchI])) faces.boundaryFieldRef()[patchI] = 0;
-    }
+    // s (s + 2 index) >= (2 index + 1) rate/mostDamped
+    const scalar stages = std::sqrt(gegenbauer*gegenbauer + (2*gegenbauer + 1)*largestRate/mostDamped) - gegenbauer;
+    return max(label(1), label(std::ceil(stages)));
 }
 
 } // namespace
@@ -59,149 +51,95 @@ void closeSliding(surfaceScalarField& faces)
 DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const scalar length)
 :
     mesh_(mesh),
-    isOn_(length > 0),
-    area_(sqr(length)/(16*std::log(2.0))),
-    controls_(tightSolver())
+    area_(sqr(length)/(16*std::log(2.0)))
 {
-    if (!isOn_)
-    {
-        return;
-    }
-    solution_.reset
-    (
-        new volScalarField
-        (
-            IOobject("smoothed", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
-            mesh,
-            dimensionedScalar("zero", dimless, Zero),
-            borderTypes(mesh)
-        )
-    );
-    surfaceScalarField minusDiffusion("minusDiffusion", dimensionedScalar("diffusion", dimArea, -area_)*mesh.magSf());
-    closeSliding(minusDiffusion);
-    matrix_ = autoPtr<fvScalarMatrix>
-    (
-        fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
-        (
-            minusDiffusion, mesh.nonOrthDeltaCoeffs(), solution_()
-        ).ptr()
-    );
-    matrix_->diag() += mesh.V();
-    addCoupledDiagonal();
+    if (!isOn()) return;
+    setConductances();
+    stages_ = leastStages(largestRate());
 }
 
-void DiffusionSmoother::addCoupledDiagonal()
+void DiffusionSmoother::setConductances()
 {
+    conductance_.reset(new surfaceScalarField("conductance", dimensionedScalar("diffusion", dimArea, area_)*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()));
     forAll(mesh_.boundary(), patchI)
     {
-        const labelUList& cells = mesh_.boundary()[patchI].faceCells();
-        const scalarField& coefficients = matrix_->internalCoeffs()[patchI];
-        forAll(coefficients, k)
-        {
-            matrix_->diag()[cells[k]] += coefficients[k];
-        }
+        const bool isPassing = passes(mesh_.boundary()[patchI]);
+        if (!isPassing) conductance_().boundaryFieldRef()[patchI] = 0;
+        hasCoupled_ = hasCoupled_ || isPassing;
     }
+    reduce(hasCoupled_, orOp<bool>());
 }
 
-scalarField DiffusionSmoother::netInflow(const scalarField& cells) const
+// Bound of the eigenvalues of D T V^-1 L: twice the largest diagonal.
+scalar DiffusionSmoother::largestRate() const
 {
-    scalarField inflow(cells.size(), Zero);
-    const auto exchange = [&](const label from, const label to, const scalar conductance)
+    scalarField sums(mesh_.nCells(), Zero);
+    const scalarField& inner = conductance_().primitiveField();
+    forAll(inner, faceI)
     {
-        const scalar flux = conductance*(cells[from] - cells[to]);
-        inflow[from] -= flux;
-        inflow[to] += flux;
-    };
-    const scalarField& upper = matrix_->upper();
-    forAll(upper, faceI)
-    {
-        exchange(mesh_.owner()[faceI], mesh_.neighbour()[faceI], -upper[faceI]);
+        sums[mesh_.owner()[faceI]] += inner[faceI];
+        sums[mesh_.neighbour()[faceI]] += inner[faceI];
     }
-    forAll(mesh_.boundaryMesh(), patchI)
-    {
-        const cyclicPolyPatch* cyclic = isA<cyclicPolyPatch>(mesh_.boundaryMesh()[patchI]);
-        if (!cyclic || !cyclic->owner())
-        {
-            continue;
-        }
-        const scalarField& conductance = matrix_->boundaryCoeffs()[patchI];
-        forAll(conductance, k)
-        {
-            exchange(cyclic->faceCells()[k], cyclic->neighbPatch().faceCells()[k], conductance[k]);
-        }
-    }
-    addInflowFromRanks(cells, inflow);
-    return inflow;
-}
-
-// Both ranks work out the flux, each from its own conductance: they agree to round-off, and so does what is lost and gained.
-void DiffusionSmoother::addInflowFromRanks(const scalarField& cells, scalarField& inflow) const
-{
-    if (!Pstream::parRun())
-    {
-        return;
-    }
-    volScalarField& values = const_cast<volScalarField&>(solution_());
-    values.primitiveFieldRef() = cells;
-    values.correctBoundaryConditions();
     forAll(mesh_.boundary(), patchI)
     {
-        if (!isA<processorFvPatch>(mesh_.boundary()[patchI]))
-        {
-            continue;
-        }
         const labelUList& faceCells = mesh_.boundary()[patchI].faceCells();
-        const scalarField& conductance = matrix_->boundaryCoeffs()[patchI];
-        const scalarField behind(values.boundaryField()[patchI].patchNeighbourField());
-        forAll(faceCells, k)
+        const scalarField& conductance = conductance_().boundaryField()[patchI];
+        forAll(conductance, k) sums[faceCells[k]] += conductance[k];
+    }
+    return 2*gMax(scalarField(sums/mesh_.V()));
+}
+
+template<class Type>
+void DiffusionSmoother::setNetInflow(const GeometricField<Type, fvPatchField, volMesh>& cells, Field<Type>& inflow) const
+{
+    inflow = Zero;
+    const scalarField& inner = conductance_().primitiveField();
+    forAll(inner, faceI)
+    {
+        const label own = mesh_.owner()[faceI];
+        const label other = mesh_.neighbour()[faceI];
+        const Type flux = inner[faceI]*(cells[own] - cells[other]);
+        inflow[own] -= flux;
+        inflow[other] += flux;
+    }
+    forAll(mesh_.boundary(), patchI)
+    {
+        if (!passes(mesh_.boundary()[patchI])) continue;
+        const labelUList& faceCells = mesh_.boundary()[patchI].faceCells();
+        const scalarField& conductance = conductance_().boundaryField()[patchI];
+        const Field<Type> behind(cells.boundaryField()[patchI].patchNeighbourField());
+        forAll(faceCells, k) inflow[faceCells[k]] += conductance[k]*(behind[k] - cells[faceCells[k]]);
+    }
+}
+
+template<class Type>
+void DiffusionSmoother::smoothField(Field<Type>& cells) const
+{
+    if (!isOn()) return;
+    const IOobject header("smoothed", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false);
+    GeometricField<Type, fvPatchField, volMesh> values(header, mesh_, dimensioned<Type>("zero", dimless, Zero), borderTypes(mesh_));
+    Field<Type>& newest = values.primitiveFieldRef();
+    newest = cells;
+    Field<Type> inflow(cells.size());
+    const scalarField& volumes = mesh_.V();
+    const scalar share = scalar(2*gegenbauer + 1)/(stages_*(stages_ + 2*gegenbauer));
+    for (label stage = 1; stage <= stages_; ++stage)
+    {
+        if (hasCoupled_) values.correctBoundaryConditions();
+        const scalar momentum = scalar(stage - 1)/(stage + 2*gegenbauer - 1);
+        setNetInflow(values, inflow);
+        forAll(newest, cellI)
         {
-            inflow[faceCells[k]] += conductance[k]*(behind[k] - cells[faceCells[k]]);
+            const Type value = newest[cellI];
+            newest[cellI] += momentum*(value - cells[cellI]) + ((1 + momentum)*share/volumes[cellI])*inflow[cellI];
+            cells[cellI] = value;
         }
     }
+    cells = newest;
 }
 
-SmoothingReport DiffusionSmoother::smooth(scalarField& cells) const
-{
-    if (!isOn_)
-    {
-        return {};
-    }
-    fvScalarMatrix& matrix = const_cast<fvScalarMatrix&>(matrix_());
-    scalarField change(cells.size(), Zero);
-    const solverPerformance performance = lduMatrix::solver::New
-    (
-        solution_().name(),
-        matrix,
-        matrix.boundaryCoeffs(),
-        matrix.internalCoeffs(),
-        solution_().boundaryField().scalarInterfaces(),
-        controls_
-    )->solve(change, netInflow(cells));
-    const scalarField& volumes = mesh_.V();
-    vector2D sums(sum(volumes*change), sum(volumes));
-    reduce(sums, sumOp<vector2D>());
-    cells += change - sums.x()/sums.y();
-    return {performance.nIterations(), performance.finalResidual(), performance.converged()};
-}
-
-SmoothingReport DiffusionSmoother::smooth(vectorField& cells) const
-{
-    SmoothingReport total;
-    if (!isOn_)
-    {
-        return total;
-    }
-    for (direction axis = 0; axis < vector::nComponents; ++axis)
-    {
-        scalarField component(cells.component(axis));
-        const SmoothingReport report = smooth(component);
-        cells.replace(axis, component);
-        total.iterations += report.iterations;
-        total.residual = max(total.residual, report.residual);
-        total.isConverged = total.isConverged && report.isConverged;
-    }
-    return total;
-}
+template void DiffusionSmoother::smoothField(scalarField&) const;
+template void DiffusionSmoother::smoothField(vectorField&) const;
 
 } // namespace nscdCoupling
 } // namespace Foam

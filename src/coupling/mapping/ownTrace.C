@@ -58,7 +58,8 @@ scalar ownConcentration(const MappingMesh& mesh, const Row& row, scalar smoothin
     scalar sum = 0;
     for (const CellShare& share : row) sum += sqr(share.share)/mesh.cellVolume[share.cell];
     if (smoothingArea == 0 || sum == 0) return sum;
-    return std::pow(std::pow(sum, -2.0/3) + std::pow(8*constant::mathematical::pi, 2.0/3)*smoothingArea, -1.5);
+    // The square of the smoothing's kernel alone comes to 1/(150.8 l^3).
+    return std::pow(std::pow(sum, -2.0/3) + std::pow(150.8, 2.0/3)*smoothingArea, -1.5);
 }
 
 /// What the grain itself adds to the solid fraction next to its cells.

@@ -33,7 +33,7 @@ TEST(mappingSmoother, keepsSumsAndUniformFieldsToRoundOff)
         const DiffusionSmoother smoother(box.mesh(), length);
         scalarField field = randomField(box.mesh().nCells(), 3) + 2.0;
         const scalar before = sum(box.mesh().V().field()*field);
-        EXPECT_TRUE(smoother.smooth(field).isConverged);
+        smoother.smooth(field);
         EXPECT_NEAR(sum(box.mesh().V().field()*field)/before, 1, 1e-14) << length;
 
         scalarField uniform(box.mesh().nCells(), 0.7);
@@ -56,11 +56,11 @@ TEST(mappingSmoother, isItsOwnTranspose)
         smoother.smooth(smoothF);
         smoother.smooth(smoothG);
         const scalar scale = std::sqrt(volumeProduct(mesh, f, f)*volumeProduct(mesh, g, g));
-        EXPECT_NEAR(volumeProduct(mesh, smoothF, g)/scale, volumeProduct(mesh, f, smoothG)/scale, 1e-12) << length;
+        EXPECT_NEAR(volumeProduct(mesh, smoothF, g)/scale, volumeProduct(mesh, f, smoothG)/scale, 1e-14) << length;
     }
 }
 
-// On a uniform mesh one implicit step widens a peak by exactly 2 D T = length^2/(8 ln 2) per direction.
+// On a uniform mesh smoothing widens a peak by exactly 2 D T = length^2/(8 ln 2) per direction.
 TEST(mappingSmoother, hasTheVarianceItPromises)
 {
     BoxMesh box(unitCells(labelVector(61, 3, 3), {"wall", "wall", "cyclic", "cyclic", "cyclic", "cyclic"}));
@@ -71,7 +71,7 @@ TEST(mappingSmoother, hasTheVarianceItPromises)
     smoother.smooth(peak);
     scalar variance = 0;
     forAll(peak, cellI) variance += peak[cellI]*sqr(box.mesh().cellCentres()[cellI].x() - 30.5)/sum(peak);
-    EXPECT_NEAR(variance, sqr(length)/(8*std::log(2.0)), 1e-4);
+    EXPECT_NEAR(variance, sqr(length)/(8*std::log(2.0)), 1e-12);
 }
 
 // What the pipeline gives with each method, smoothed or not, redistributing or not.

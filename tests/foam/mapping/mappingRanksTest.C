@@ -557,13 +557,13 @@ TEST(mappingRanks, smoothingKeepsSumsAndIsItsOwnTranspose)
             const DiffusionSmoother smoother(mesh.part(), length);
             scalarField smoothF = mesh.partOf(f);
             scalarField smoothG = mesh.partOf(g);
-            EXPECT_TRUE(smoother.smooth(smoothF).isConverged);
-            EXPECT_TRUE(smoother.smooth(smoothG).isConverged);
+            smoother.smooth(smoothF);
+            smoother.smooth(smoothG);
             const scalarField& V = mesh.part().V();
-            EXPECT_LE(gMax(mag(smoothF - mesh.partOf(whole))()), 1e-12) << length;
+            EXPECT_LE(gMax(mag(smoothF - mesh.partOf(whole))()), 1e-13) << length;
             EXPECT_NEAR(gSum(V*smoothG)/gSum(V*mesh.partOf(g)), 1, 1e-14) << length;
             const scalar scale = gSum(V*mesh.partOf(g));
-            EXPECT_NEAR(gSum(V*smoothF*mesh.partOf(g))/scale, gSum(V*smoothG*mesh.partOf(f))/scale, 1e-12) << length;
+            EXPECT_NEAR(gSum(V*smoothF*mesh.partOf(g))/scale, gSum(V*smoothG*mesh.partOf(f))/scale, 1e-14) << length;
             scalarField uniform(mesh.part().nCells(), 0.7);
             smoother.smooth(uniform);
             EXPECT_EQ(uniform, scalarField(mesh.part().nCells(), 0.7));
