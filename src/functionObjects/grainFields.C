@@ -22,8 +22,8 @@ namespace
 const word bulkDensityName = "bulkDensity.grains", velocityName = "U.grains";
 const word temperatureName = "T.grains", stressName = "kineticStress.grains";
 
-/// Cells with less than this part of the largest bulk density count as without grains. Smoothing of the void fraction leaves some
-/// of every grain in every cell, and of less than this it leaves round-off.
+/// Cells with less than this part of the largest bulk density count as without grains. Where smoothing of the void fraction ends it leaves
+/// round-off.
 constexpr scalar leastPart = 1e-12;
 
 /// Where in the sums over a cell what begins, by its components.

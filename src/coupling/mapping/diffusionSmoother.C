@@ -5,6 +5,7 @@
 #include "coupling/mapping/diffusionSmoother.H"
 
 #include "cyclicAMIFvPatch.H"
+#include "syncTools.H"
 #include "zeroGradientFvPatchFields.H"
 
 #include <cmath>
@@ -56,6 +57,7 @@ DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const scalar length)
     if (!isOn()) return;
     setConductances();
     stages_ = leastStages(largestRate());
+    listReached(boolList(mesh.nCells(), true));
 }
 
 void DiffusionSmoother::setConductances()
@@ -89,12 +91,52 @@ scalar DiffusionSmoother::largestRate() const
     return 2*gMax(scalarField(sums/mesh_.V()));
 }
 
+// Cells next to those reached are reached too.
+void DiffusionSmoother::addLayer(boolList& isReached) const
+{
+    const boolList before(isReached);
+    for (label faceI = 0; faceI < mesh_.nInternalFaces(); ++faceI)
+    {
+        const label own = mesh_.faceOwner()[faceI];
+        const label other = mesh_.faceNeighbour()[faceI];
+        if (before[own]) isReached[other] = true;
+        if (before[other]) isReached[own] = true;
+    }
+    if (!hasCoupled_) return;
+    boolList behind;
+    syncTools::swapBoundaryCellList(mesh_, before, behind);
+    forAll(behind, k)
+    {
+        if (behind[k]) isReached[mesh_.faceOwner()[mesh_.nInternalFaces() + k]] = true;
+    }
+}
+
+void DiffusionSmoother::listReached(const boolList& isReached)
+{
+    cells_ = findIndices(isReached, true);
+    DynamicList<label> faces;
+    for (label faceI = 0; faceI < mesh_.nInternalFaces(); ++faceI)
+    {
+        if (isReached[mesh_.faceOwner()[faceI]] && isReached[mesh_.faceNeighbour()[faceI]]) faces.append(faceI);
+    }
+    faces_.transfer(faces);
+}
+
+void DiffusionSmoother::restrictTo(const scalarField& used)
+{
+    if (!isOn()) return;
+    boolList isReached(mesh_.nCells());
+    forAll(isReached, cellI) isReached[cellI] = used[cellI] > 0;
+    for (label stage = 0; stage < stages_; ++stage) addLayer(isReached);
+    listReached(isReached);
+}
+
 template<class Type>
 void DiffusionSmoother::setNetInflow(const GeometricField<Type, fvPatchField, volMesh>& cells, Field<Type>& inflow) const
 {
     inflow = Zero;
     const scalarField& inner = conductance_().primitiveField();
-    forAll(inner, faceI)
+    for (const label faceI : faces_)
     {
         const label own = mesh_.owner()[faceI];
         const label other = mesh_.neighbour()[faceI];
@@ -128,7 +170,7 @@ void DiffusionSmoother::smoothField(Field<Type>& cells) const
         if (hasCoupled_) values.correctBoundaryConditions();
         const scalar momentum = scalar(stage - 1)/(stage + 2*gegenbauer - 1);
         setNetInflow(values, inflow);
-        forAll(newest, cellI)
+        for (const label cellI : cells_)
         {
             const Type value = newest[cellI];
             newest[cellI] += momentum*(value - cells[cellI]) + ((1 + momentum)*share/volumes[cellI])*inflow[cellI];

@@ -273,6 +273,7 @@ void GrainMapping::buildSolidFraction()
     layout_->exchange.toOwners({{&solidFraction_}, {}});
     solidFraction_.setSize(mesh_.nCells());
     solidFraction_ /= mesh_.V();
+    smoother_.restrictTo(solidFraction_);
     smoother_.smooth(solidFraction_);
     report_.redistribution = layout_->redistribution.build(solidFraction_);
     forAll(solidFraction_, cellI)

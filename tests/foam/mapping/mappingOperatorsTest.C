@@ -60,6 +60,35 @@ TEST(mappingSmoother, isItsOwnTranspose)
     }
 }
 
+// Around cells that are used, what is spread in them and what is sampled from them are as over the whole mesh.
+TEST(mappingSmoother, leavesOutWhatIsFarFromCellsUsed)
+{
+    BoxMesh box(unitCells(labelVector(40, 5, 4), {"cyclic", "cyclic", "wall", "patch", "wall", "wall"}));
+    const label nCells = box.mesh().nCells();
+    const DiffusionSmoother whole(box.mesh(), 3);
+    DiffusionSmoother restricted(box.mesh(), 3);
+    scalarField used(nCells, Zero);
+    for (const label cell : {0, 41, 38}) used[cell] = 1 + cell;
+    restricted.restrictTo(used);
+
+    scalarField spread = used, spreadByAll = used;
+    restricted.smooth(spread);
+    whole.smooth(spreadByAll);
+    EXPECT_EQ(spread, spreadByAll);
+
+    const scalarField random = randomField(nCells, 5);
+    scalarField seen = random, seenByAll = random;
+    restricted.smooth(seen);
+    whole.smooth(seenByAll);
+    label untouched = 0;
+    forAll(seen, cell)
+    {
+        if (used[cell] > 0) EXPECT_EQ(seen[cell], seenByAll[cell]);
+        untouched += seen[cell] == random[cell];
+    }
+    EXPECT_GT(untouched, nCells/2);
+}
+
 // On a uniform mesh smoothing widens a peak by exactly 2 D T = length^2/(8 ln 2) per direction.
 TEST(mappingSmoother, hasTheVarianceItPromises)
 {

@@ -564,6 +564,14 @@ TEST(mappingRanks, smoothingKeepsSumsAndIsItsOwnTranspose)
             EXPECT_NEAR(gSum(V*smoothG)/gSum(V*mesh.partOf(g)), 1, 1e-14) << length;
             const scalar scale = gSum(V*mesh.partOf(g));
             EXPECT_NEAR(gSum(V*smoothF*mesh.partOf(g))/scale, gSum(V*smoothG*mesh.partOf(f))/scale, 1e-14) << length;
+            scalarField used(mesh.whole().nCells(), Zero);
+            used[17] = 1;
+            DiffusionSmoother restricted(mesh.part(), length);
+            restricted.restrictTo(mesh.partOf(used));
+            scalarField spread = mesh.partOf(used), spreadByAll = spread;
+            restricted.smooth(spread);
+            smoother.smooth(spreadByAll);
+            EXPECT_EQ(spread, spreadByAll);
             scalarField uniform(mesh.part().nCells(), 0.7);
             smoother.smooth(uniform);
             EXPECT_EQ(uniform, scalarField(mesh.part().nCells(), 0.7));
