@@ -3,8 +3,10 @@
 """Lethe's dense pneumatic conveying (examples/unresolved-cfd-dem): a slug of grains that air pushes through a periodic pipe."""
 
 import math
+import re
+from pathlib import Path
 
-from outsideCase import BUILD, G, CylinderCase, shown
+from outsideCase import BUILD, G, CylinderCase, diFelice, hinderedGradient, shown
 
 RADIUS, LENGTH, CORE, LAYER = 0.042, 1.0, 0.5, 0.021      # of the pipe, the slug's core and the height of the layer before it [m]
 D, IN_PARCEL, RHO_P, RHO_F, NU = 5e-3, 8, 890, 1.205, 1.5e-5
@@ -23,6 +25,7 @@ def densePneumaticConveying(verdict):
     dies away (README.md). Judged is what does not depend on the flow: the slug lasts, and is faster than its grains as Lethe has it, by Lavrinec et al.
     2020, u_slug = 0.967 u_grains + 0.5 sqrt(g D); the original's own speeds are shown."""
     flux, start, end = 3, 0.5, 1
+    plugDrop(verdict, flux)
     dry = settledSlug(verdict)
     case = pipe("slug", "meanFlow (0 0 %g);\nforces { drag { law DiFelice; } saffmanLift on; }\nvoidFraction { diffusion %.4g; }\n%s"
                 % (flux, 2*math.sqrt(4*math.log(2))*0.01/PARCEL, 'grains { type time; case "../slugSettled"; time latestTime; }'), end)
@@ -41,8 +44,29 @@ def densePneumaticConveying(verdict):
     case.remove()
 
 
-def pipe(name, settings, endTime, deltaT=1e-3):
-    case = CylinderCase(BUILD/name, RADIUS, -LENGTH/2, LENGTH/2, 4, 2, 90, "cyclic")
+def plugDrop(verdict, flux):
+    """Held grains, each for itself, that fill a tenth of the pipe to its roof: the drop is that of the law for their mean fluid fraction."""
+    length = LENGTH/10
+    packed = packedPipe("plugPacked", length, "packing { solidFraction 0.6; } diameter %g;" % D)
+    case = pipe("plug", "meanFlow (0 0 %g);\nmotion fixed;\nforces { drag { law DiFelice; } }\ngrains { type time; case \"../plugPacked\"; time latestTime; }" % flux,
+                0.02, length=length)
+    case.run()
+    packed.remove()
+    gradient = (Path(case.folder)/case.times()[-1]/"uniform/meanFlowGradient").read_text()
+    alpha = 1 - len(case.cloud("d"))*math.pi/6*D**3/(case.area()*length)
+    verdict.near("densePneumaticConveying: gradient in a plug that is held [Pa/m]", -float(re.search(r"value\s+\(\S+ \S+ ([^)]*)\)", gradient).group(1)),
+                 hinderedGradient(diFelice, alpha, flux, D, RHO_F, RHO_F*NU), 0.05)
+    case.remove()
+
+
+def packedPipe(name, length, what):
+    """Packed densely, at random, as far as a round pipe within the cross-section reaches."""
+    return pipe(name, "fluid none;\ngrains { type filling; region { type cylinder; axis (0 0 %g) (0 0 %g); radius %.9g; } %s }"
+                % (-length/2, length/2, RADIUS*math.cos(math.pi/16), what), 1e-5, 1e-5, length).run()
+
+
+def pipe(name, settings, endTime, deltaT=1e-3, length=LENGTH):
+    case = CylinderCase(BUILD/name, RADIUS, -length/2, length/2, 4, 2, round(90*length), "cyclic")
     case.fluid(RHO_F, RHO_F*NU, (0, -G, 0))
     case.grains("materials { grain { density %g; } wall {} }\nwallMaterial wall;\ncontacts { grain-grain { friction 0.3; restitution 0.3; rollingFriction 0.2; } "
                 "grain-wall { friction %.6g; restitution 0.3; rollingFriction 0.2; } }\n%s" % (RHO_P, 2*0.3*0.4/0.7, settings))
@@ -52,10 +76,7 @@ def pipe(name, settings, endTime, deltaT=1e-3):
 
 def settledSlug(verdict):
     """A pipe packed densely, of which the grains below the slug's surface are kept and fall together for 0.15 s; the original pours them in from one end."""
-    inner = RADIUS*math.cos(math.pi/16)
-    packed = pipe("slugPacked", "fluid none;\ngrains { type filling; region { type cylinder; axis (0 0 %g) (0 0 %g); radius %.9g; } "
-                  "packing { solidFraction 0.61; } diameter %g; coarseGraining %.15g; }" % (-LENGTH/2, LENGTH/2, inner, D, PARCEL/D), 1e-5, 1e-5)
-    packed.run()
+    packed = packedPipe("slugPacked", LENGTH, "packing { solidFraction 0.61; } diameter %g; coarseGraining %.15g;" % (D, PARCEL/D))
     kept = [(x, y, z, D) for x, y, z in packed.cloud("position") if y + PARCEL/2 <= surfaceHeight(z) + 0.3*PARCEL]
     packed.remove()
     verdict.near("densePneumaticConveying: grains in parcels", IN_PARCEL*len(kept), 32194, 0.1)
