@@ -138,7 +138,7 @@ public:
         for (std::size_t i = 0; i < filling.grains.size(); ++i) add(filling.grains.center[i], 2.0*filling.grains.radius[i], source_.material);
     }
 
-    /// As they were written, but for their numbers.
+    /// As they were written, but for their numbers; grains that `motion fixed` holds here and that were free there stand still.
     void addWritten()
     {
         const WrittenGrains all = around_.grainsOfTime(source_, materials_);
@@ -150,10 +150,11 @@ public:
             if (!all.coarseGraining.empty()) setFactor(all.coarseGraining[i]);
             add(written.position[i], 2.0*written.radius[i], written.material[i]);
             nscd::Grains& grains = stream_.batch;
+            grains.orientation.back() = written.orientation[i];
+            if (source_.isFixed && !written.isFixed[i]) continue;
             grains.velocity.back() = written.velocity[i];
             grains.omega.back() = written.omega[i];
-            grains.orientation.back() = written.orientation[i];
-            if (written.isFixed[i]) grains.isFixed.back() = true;
+            grains.isFixed.back() = written.isFixed[i];
         }
     }
 

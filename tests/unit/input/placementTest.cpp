@@ -166,6 +166,12 @@ TEST_F(Placements, takeGrainsOfAWrittenTime)
     EXPECT_EQ(second.isFixed[0] + 2*second.isFixed[1], 2);
     EXPECT_NEAR(second.mass[1], 11000*M_PI/6*0.08*0.08*0.08, 1e-12);
     EXPECT_THROW(read(source, around()), input::InputError);
+    // What is held here stands still, but for what was held there too, and moved as told.
+    const nscd::Grains held = batches("motion fixed; " + source, {}, reads).at(0);
+    EXPECT_EQ(held.isFixed, std::vector<std::uint8_t>(5, 1));
+    EXPECT_EQ(held.velocity[2], Vec3(0, 0, 0));
+    EXPECT_EQ(held.omega[2], Vec3(0, 0, 0));
+    EXPECT_EQ(held.velocity[3], Vec3(3, 2, 3));
     reads.shape.emptyAxis = 2;
     EXPECT_THROW(batches(source, tools, reads), input::InputError);
 }
