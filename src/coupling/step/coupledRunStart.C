@@ -81,12 +81,15 @@ scalar meanCellSize(const fvMesh& mesh)
     return empty < 0 ? std::cbrt(volume) : std::sqrt(volume/mesh.bounds().span()[empty]);
 }
 
-/// What is smoothed though the case does not say so.
-void tellChosenWidth(const VoidFractionSettings& settings, scalar meanDiameter, scalar cellSize)
+/// What is smoothed, and that the case does not say so.
+void tellSmoothing(const VoidFractionSettings& settings, scalar meanDiameter, scalar cellSize, label stages)
 {
-    const scalar width = settings.chosenWidth(meanDiameter, cellSize);
-    if (settings.filterWidth || width == 0) return;
-    Info<< "voidFraction: filterWidth " << width << ", as cells are " << cellSize/meanDiameter << " mean diameters wide" << nl;
+    const scalar length = settings.diffusionLength(meanDiameter, cellSize);
+    if (length == 0) return;
+    Info<< "voidFraction: smoothed over " << length << " m, by " << stages << " stages of diffusion";
+    if (settings.diffusion == 0) Info<< ", to filterWidth " << settings.chosenWidth(meanDiameter, cellSize);
+    if (!settings.filterWidth && settings.diffusion == 0) Info<< ", as cells are " << cellSize/meanDiameter << " mean diameters wide";
+    Info<< nl;
 }
 
 /// What the fluid and the heat do not know of clumps.
@@ -234,8 +237,8 @@ void CoupledRun::startFluid()
         voidFraction_ = properties_.voidFraction.forMapping(meanDiameter_, cellSize);
         relativeCellSize_ = cellSize/meanDiameter_;
         largestDiameter_ = returnReduce(input::largestDiameter(properties_, grains), maxOp<scalar>());
-        tellChosenWidth(properties_.voidFraction, meanDiameter_, cellSize);
         makeMapping();
+        tellSmoothing(properties_.voidFraction, meanDiameter_, cellSize, immersion_->mapping->smoother().stages());
     }
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
