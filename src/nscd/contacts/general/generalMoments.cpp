@@ -122,7 +122,7 @@ void sweepLane(const MovingContact& pair, ContactBlock& block, LawBlock& law, co
         {w, pair.slot.inverse, pair.n, block.bias[lane], block.friction[lane]}, moment, law.of[momentLaw::across][lane], law.of[momentLaw::along][lane]
     };
     const Vec3 uFree = u - w*r - k*q, wFree = turning(pair, law, moment.reducedRadius) - k.transpose()*r - moment.mobility*q;
-    const BorneByContact next = solveWithMoment(contact, uFree, wFree);
+    const BorneByContact next = solveWithMoment(contact, uFree, wFree, q);
     add(sums, (w*(next.r - r)).squaredNorm(), true);
     add(sums, (moment.mobility*(next.q - q)).squaredNorm(), false);
     pair.apply(next.r - r);
@@ -154,7 +154,7 @@ Vec3 admissibleMoment(const Vec3& q, const Vec3& n, double across, double along)
     return (size > across ? Vec3(t*(across/size)) : t) + std::clamp(qn, -along, along)*n;
 }
 
-BorneByContact solveWithMoment(const MomentContact& contact, const Vec3& uFree, const Vec3& wFree)
+BorneByContact solveWithMoment(const MomentContact& contact, const Vec3& uFree, const Vec3& wFree, const Vec3& present)
 {
     const GeneralContact& coulomb = contact.coulomb;
     if (!(contact.across > 0.0) && !(contact.along > 0.0)) return {solveCoulomb(coulomb, uFree), Vec3::Zero()};
@@ -168,6 +168,7 @@ BorneByContact solveWithMoment(const MomentContact& contact, const Vec3& uFree, 
     constexpr double roundOff = 1e-12;
     Vec3 q = limited(borne.q, borne.r);
     if ((q - borne.q).norm() <= roundOff*q.norm()) return borne;
+    if (present != Vec3::Zero()) q = present;
     for (int round = 0; round < roundsAtLimit; ++round)
     {
         borne.r = solveCoulomb(coulomb, uFree + contact.moment.coupling*q);

@@ -28,9 +28,9 @@ struct BorneByContact
 };
 
 /// Impulse by Coulomb's law and moment by that of RollingFriction, both at once. Where the moment keeps the bodies from turning on one another it is eliminated, which leaves
-/// Coulomb's law with W - K S^-1 K^T, solved exactly, whether it sticks or slides. Where that asks for more than the moment may be, a few rounds of impulse and moment in turn:
-/// the sweeps go on from there.
-BorneByContact solveWithMoment(const MomentContact& contact, const Vec3& uFree, const Vec3& wFree);
+/// Coulomb's law with W - K S^-1 K^T, solved exactly, whether it sticks or slides. Where that asks for more than the moment may be, a few rounds of impulse and moment in turn,
+/// from the `present` moment: the next sweep goes on from what these make of it.
+BorneByContact solveWithMoment(const MomentContact& contact, const Vec3& uFree, const Vec3& wFree, const Vec3& present);
 
 /// A moment cut to at most `across` in the tangent plane, and `along` the normal.
 Vec3 admissibleMoment(const Vec3& q, const Vec3& n, double across, double along);
