@@ -19,7 +19,7 @@ constexpr double floorFlow = 0.1, liftingFlow = 0.2;  // when the flow through t
 const std::string spheres = "grains { type table; file \"floor.txt\"; } ";
 /// Six pairs of such spheres, each one body; the border goes through two of them.
 const std::string clumps = "grains { type lattice; box (0.005 0.02 0) (0.095 0.08 0.01); count (3 2 1); diameter 0.01; "
-    "clump { members ((-0.005 0 0) (0.005 0 0)); diameter 0.01; } } ";
+    "clump { members ((-0.005 0 0) (0.005 0 0)); diameter 0.01; orientation asGiven; } } ";
 
 /// Grains that do not roll, on a floor through which water flows: 0.05 m/s from floorFlow on, which lifts none, then enough to lift all.
 Files onTheFloor(const std::string& sleep, const std::string& grains = spheres)
