@@ -141,8 +141,8 @@ TEST(ClumpSleepOnRanks, aStopAndItsContinuationDoTheSameToTheBit)
     });
 }
 
-// A rebound that disturbs sleepers of one rank wakes those of all.
-TEST(ClumpSleepOnRanks, aReboundWakesAllRanks)
+// Whatever wakes by a rebound wakes on all ranks.
+TEST(ClumpSleepOnRanks, aGrainThatReboundsFromSleepersDoesAsOnOne)
 {
     for (const bool ofClumps : {false, true})
     for (const OwnerOf& cut : cuts())
