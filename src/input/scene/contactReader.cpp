@@ -50,7 +50,7 @@ void checkLawsOfClumps(const MaterialTable& materials)
 {
     for (const nscd::ContactLawRow* law : nscd::lawsInUse(materials.table))
     {
-        if (!law->isSwept) continue;
+        if (law->isOfClumps) continue;
         throw InputError({materials.contactsPlace, std::string("has ") + law->words + ", which contacts of clumps do not know", "", "none beside clumps"});
     }
 }
@@ -67,10 +67,9 @@ void checkLubrication(const MaterialTable& materials, bool areDiscs)
 bool readSleep(const CheckedEntries& given, const Surroundings& around, Scene& scene)
 {
     const bool isOn = given.flag("sleep", around.sleepsByDefault);
-    if (isOn && scene.hasClumps()) scene.notes.push_back("grains at rest stay awake: clumps do not sleep");
     const bool areLubricated = scene.materials.table.anyRoughness();
     if (isOn && areLubricated) scene.notes.push_back("grains at rest stay awake: films of fluid between them do not sleep");
-    return isOn && !scene.hasClumps() && !areLubricated;
+    return isOn && !areLubricated;
 }
 
 } // namespace

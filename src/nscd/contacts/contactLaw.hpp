@@ -95,7 +95,8 @@ struct ContactLawRow
 {
     const char* words;           ///< what users call it, for messages and logs
     const char* impulseName;     ///< of the impulse that it keeps of a contact, in files; null: it keeps none
-    bool isSwept;                ///< whether it is solved within the sweeps: one such law in a scene, with NLGS alone, and no clumps
+    bool isSwept;                ///< whether it is solved within the sweeps: one such law in a scene, with NLGS alone
+    bool isOfClumps;             ///< whether it works where there are clumps
     bool isOfSpins;              ///< whether it acts on spins
     bool isOfStart;              ///< whether what it does in a step follows from the impulses at its start
     bool (*isUsed)(const Materials&);

@@ -83,6 +83,8 @@ GeneralBodies listGeneralBodies(const Clumps& clumps, const std::vector<int>& gr
     std::vector<int> bodyOf(grainOf.size());
     for (std::size_t body = 0; body < grainOf.size(); ++body) bodyOf[grainOf[body]] = static_cast<int>(body);
     list.bodies.resize(clumps.size());
+    list.clumpOf.resize(clumps.size());
+    std::iota(list.clumpOf.begin(), list.clumpOf.end(), 0);
     list.isThere = !clumps.empty();
     list.memberOf.assign(clumps.empty() ? 0 : grainOf.size(), -1);
     for (std::size_t c = 0; c < clumps.size(); ++c)

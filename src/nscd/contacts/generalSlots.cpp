@@ -4,6 +4,7 @@
 // Arms, Delassus operators and impulses of general contacts.
 #include "nscd/contacts/generalSlots.hpp"
 
+#include "nscd/contacts/general/generalMoments.hpp"
 #include "nscd/contacts/general/generalSweep.hpp"
 
 #include <algorithm>
@@ -48,6 +49,20 @@ void setOperator(ContactList& list, std::size_t slot)
     block.invWt[lane] = 2.0/(contact.w.trace() - wn);
 }
 
+void setMoments(ContactList& list, const std::vector<LawBlock>& laws)
+{
+    GeneralBodies& general = list.general;
+    general.moments.assign(general.slots.size(), GeneralMoment());
+    for (std::size_t k = 0; k < general.slots.size(); ++k)
+    {
+        const std::size_t slot = general.firstBlock*blockLanes + k, number = slot/blockLanes;
+        if (!list.isUsed(slot)) continue;
+        const ContactBlock& block = list.blocks[number];
+        const int lane = slot % blockLanes;
+        general.moments[k] = makeMoment(list.bodies.data(), block, lane, laws[number], general, general.slots[k], list.radius[block.a[lane]]);
+    }
+}
+
 } // namespace
 
 void setGeneralLaws(ContactList& list, double deltaT, double deadBand, double unreachable)
@@ -58,6 +73,7 @@ void setGeneralLaws(ContactList& list, double deltaT, double deadBand, double un
         setOperator(list, slot);
         list.blocks[slot/blockLanes].bias[slot % blockLanes] = list.gap[slot] > deadBand ? std::min(list.gap[slot], unreachable*deltaT)/deltaT : 0.0;
     }
+    if (const std::vector<LawBlock>* const laws = list.laws.sweptBlocks()) setMoments(list, *laws);
 }
 
 void startGeneralSlots(ContactList& list, double impulseScale)

@@ -5,6 +5,7 @@
 #include "nscd/step/awakePart.hpp"
 
 #include "nscd/contacts/contactCandidates.hpp"
+#include "nscd/contacts/generalCandidates.hpp"
 #include "nscd/step/sweptPairs.hpp"
 
 #include <algorithm>
@@ -82,14 +83,6 @@ void AwakePart::findSlotsOfBodies()
     forEach([&](int body, std::uint32_t slot) { slots_[next[body]++] = slot; });
 }
 
-/// At a wall one that is not a grain's.
-int AwakePart::otherBody(std::size_t slot, int body) const
-{
-    const ContactBlock& block = whole_.blocks[slot/blockLanes];
-    const int a = block.a[slot % blockLanes];
-    return a == body ? block.b[slot % blockLanes] : a;
-}
-
 void AwakePart::findAwake(const GrainSleep& sleep)
 {
     isAwake_.assign(whole_.bodies.size(), 0);
@@ -111,15 +104,14 @@ std::vector<std::uint32_t> AwakePart::slotsOfAwake()
         for (const bool isWall : {true, false})
         for (std::uint32_t k = slotStart_[body]; k < slotStart_[body + 1]; ++k)
         {
-            if ((whole_.wall[slots_[k]] >= 0) != isWall || isInterface(slots_[k])) continue;
+            if ((whole_.wall[slots_[k]] >= 0) != isWall || isBetweenRanks(whole_, slots_[k])) continue;
             const int other = otherBody(slots_[k], body);
             if (!isWall && isAwake_[other] && other < body) continue;  // found there
             found.push_back(slots_[k]);
             if (!isWall) bodies_.push_back(other);
         }
     }
-    std::sort(bodies_.begin(), bodies_.end());
-    bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+    addWholeClumps();
     return found;
 }
 
@@ -130,26 +122,9 @@ std::vector<std::uint32_t> AwakePart::interfaceSlotsOfAwake() const
     {
         const ContactBlock& block = whole_.blocks[slot/blockLanes];
         const bool isAnyAwake = isAwake_[block.a[slot % blockLanes]] || isAwake_[block.b[slot % blockLanes]];
-        if (whole_.isUsed(slot) && isAnyAwake) found.push_back(static_cast<std::uint32_t>(slot));
+        if (whole_.isUsed(slot) && isAnyAwake && isBetweenRanks(whole_, slot)) found.push_back(static_cast<std::uint32_t>(slot));
     }
     return found;
-}
-
-void AwakePart::addBodies(ContactList& part) const
-{
-    for (int body : bodies_)
-    {
-        part.position.push_back(whole_.position[body]);
-        part.radius.push_back(whole_.radius[body]);
-        part.inverseMass.push_back(isAwake_[body] ? whole_.inverseMass[body] : 0.0);
-        part.id.push_back(whole_.id[body]);
-        if (body >= whole_.owned()) continue;
-        part.grainOf.push_back(whole_.grainOf[body]);
-        part.positionAtBuild.push_back(whole_.positionAtBuild[body]);
-        part.reach.push_back(whole_.reach[body]);
-        part.slack.push_back(whole_.slack[body]);
-        if (!whole_.path.empty()) part.path.push_back(whole_.path[body]);
-    }
 }
 
 void AwakePart::packSlots(ContactList& part, const Scene& scene, double diameter)
@@ -161,6 +136,7 @@ void AwakePart::packSlots(ContactList& part, const Scene& scene, double diameter
         std::iota(bodies_.begin(), bodies_.end(), 0);
     }
     addBodies(part);
+    addGeneral(part);
     const auto inPart = [&](int body) { return static_cast<int>(std::lower_bound(bodies_.begin(), bodies_.end(), body) - bodies_.begin()); };
     const auto candidate = [&](std::uint32_t slot)
     {
@@ -248,54 +224,6 @@ const ContactForces& AwakePart::forcesOn(const ContactList& part, BlockRange loa
     ContactForces& sum = sumForces(part, loaded, scene, deltaT);
     add(sum, outside_, 1.0);
     return sum;
-}
-
-std::vector<int> AwakePart::sleepersAround(const std::vector<int>& grains, int rings, const GrainSleep& sleep, double deadBand) const
-{
-    std::vector<int> found = grains;
-    std::vector<std::uint8_t> isFound(whole_.owned(), 0);
-    for (int i : grains) isFound[i] = 1;
-    std::size_t first = 0;
-    for (int ring = 0; ring < rings; ++ring)
-    {
-        const std::size_t last = found.size();
-        for (; first < last; ++first)
-        {
-            const int body = bodyOf_[found[first]];
-            for (std::uint32_t k = slotStart_[body]; k < slotStart_[body + 1]; ++k)
-            {
-                const int other = otherBody(slots_[k], body);
-                if (other >= whole_.owned() || whole_.inverseMass[other] == 0.0) continue;
-                const int i = whole_.grainOf[other];
-                const bool isClosed = whole_.gap[slots_[k]] <= deadBand || impulse(whole_, slots_[k]) != Vec3::Zero();
-                if (isFound[i] || !isClosed || !sleep.isAsleep(i)) continue;
-                isFound[i] = 1;
-                found.push_back(i);
-            }
-        }
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-}
-
-std::vector<int> AwakePart::sleepersBesideDriven(const Grains& grains, const GrainSleep& sleep) const
-{
-    std::vector<int> found;
-    for (int body = 0; body < whole_.owned(); ++body)
-    {
-        const int driven = whole_.grainOf[body];
-        if (!grains.isFixed[driven] || sleep.isAsleep(driven)) continue;
-        for (std::uint32_t k = slotStart_[body]; k < slotStart_[body + 1]; ++k)
-        {
-            const int other = otherBody(slots_[k], body);
-            if (other >= whole_.owned()) continue;
-            const int i = whole_.grainOf[other];
-            if (sleep.isAsleep(i) && !grains.isFixed[i]) found.push_back(i);
-        }
-    }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
 }
 
 } // namespace nscd

@@ -54,7 +54,9 @@ private:
     void findSlotsOfBodies();
     int otherBody(std::size_t slot, int body) const;
     void findAwake(const GrainSleep& sleep);
-    bool isInterface(std::size_t slot) const { return slot >= whole_.interfaceBlock*blockLanes; }
+    void addWholeClumps();
+    void addGeneral(ContactList& part);
+    template<class Visit> void forEachOfBody(int body, const Visit& visit) const;
     std::vector<std::uint32_t> slotsOfAwake();
     std::vector<std::uint32_t> interfaceSlotsOfAwake() const;
     void addBodies(ContactList& part) const;
@@ -67,7 +69,7 @@ private:
     std::vector<std::uint32_t> slotStart_, slots_;   ///< slots of body k: slots_[slotStart_[k] .. slotStart_[k+1])
 
     std::vector<std::uint8_t> isAwake_;              ///< of each body, ghosts and copies too
-    std::vector<int> bodies_;                        ///< of the part, in the whole; own ones first
+    std::vector<int> bodies_;                        ///< of the part, in the whole; own ones first, all members of a clump or none
     std::vector<std::uint32_t> slotInWhole_;         ///< of the part's slots in use
     ContactForces outside_;                          ///< of contacts that are not in the part, on its bodies and on walls
     bool isEmpty_ = false;

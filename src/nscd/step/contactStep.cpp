@@ -108,8 +108,8 @@ void prepareSlots(ContactList& list, const SweepKernels& kernels, double deltaT,
     if (!list.general.empty()) setGeneralLaws(list, deltaT, deadBand, unreachable);
     list.laws.giveKnown(list, deltaT, deadBand);
     kernels.startWarm(list.bodies.data(), list.blocks.data(), {list.awake.data(), list.awake.size()}, impulseScale);
-    list.laws.startWarm(list, impulseScale);
     if (!list.general.empty()) startGeneralSlots(list, impulseScale);
+    list.laws.startWarm(list, impulseScale);
     list.halo.takeVelocities(list.bodies);
     list.general.takeVelocities();
 }

@@ -146,7 +146,11 @@ double sweepInterface(const ContactList& list, std::vector<Push>& pushes, Displa
 
 void displaceAll(ContactList& list, Grains& grains, const PeriodicBox& box, Displacements& moved)
 {
-    for (std::size_t k = 0; k < list.general.own(); ++k) displace(grains, k, moved.shiftOf(static_cast<int>(k)), moved.turnOf(static_cast<int>(k)), box);
+    for (std::size_t k = 0; k < list.general.own(); ++k)
+    {
+        const int general = static_cast<int>(k);
+        displace(grains, list.general.clumpOf[k], moved.shiftOf(general), moved.turnOf(general), box);
+    }
     for (int body = 0; body < list.owned(); ++body) list.position[body] += moved.shift[body];
     putMembers(list, grains, box);
     list.halo.give(list.position);

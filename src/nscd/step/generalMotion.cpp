@@ -71,6 +71,14 @@ void setFreeBody(GeneralBody& body, const Grains& grains, std::size_t c, const O
     body.omega = body.freeOmega;
 }
 
+/// What moves as if it were part of a wall at rest.
+void hold(GeneralBody& body)
+{
+    body.v = body.freeV = body.omega = body.freeOmega = body.freeMomentum = Vec3::Zero();
+    body.invMass = 0.0;
+    body.inertia = body.invInertia = Eigen::Matrix3d::Zero();
+}
+
 void setMotion(Body& body, const Vec3& v, const Vec3& omega, const Vec3& arm, double radius)
 {
     const Vec3 x = v + omega.cross(arm), s = radius*omega;
@@ -107,25 +115,27 @@ void checkGeneralBodies
     if (settings.solver != "NLGS") throw invalidValue("contact solver", settings.solver, "NLGS where there are clumps");
     for (const ContactLawRow* law : lawsInUse(materials))
     {
-        if (law->isSwept) throw invalidValue(law->words, "set", "none where there are clumps");
+        if (!law->isOfClumps) throw invalidValue(law->words, "set", "none where there are clumps");
     }
 }
 
-void setFreeGeneral(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT)
+void setFreeGeneral(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const GrainSleep& sleep)
 {
     const Clumps& clumps = grains.clumps;
-    std::vector<OuterForces> outer(clumps.size());
+    std::vector<OuterForces> outer(list.general.own());
     for (std::size_t k = 0; k < list.general.ownMembers; ++k)
     {
         GeneralMember& member = list.general.members[k];
         outer[member.owner].add(forces, list.grainOf[member.body]);
-        member.arm = clumps.orientation[member.owner]*member.center;
+        member.arm = clumps.orientation[list.general.clumpOf[member.owner]]*member.center;
     }
-    for (std::size_t c = 0; c < clumps.size(); ++c)
+    for (std::size_t k = 0; k < list.general.own(); ++k)
     {
-        checkFinite(outer[c], c);
-        flatten(grains.shape, outer[c].force, outer[c].torque);
-        setFreeBody(list.general.bodies[c], grains, c, outer[c], deltaT);
+        const int clump = list.general.clumpOf[k];
+        checkFinite(outer[k], clump);
+        flatten(grains.shape, outer[k].force, outer[k].torque);
+        if (sleep.isAsleep(clumps.firstMember[clump])) hold(list.general.bodies[k]);
+        else setFreeBody(list.general.bodies[k], grains, clump, outer[k], deltaT);
     }
     list.general.giveBodies();
     giveArms(list);
@@ -164,39 +174,41 @@ void putMembers(ContactList& list, Grains& grains, const PeriodicBox& box)
     {
         const GeneralMember& member = list.general.members[k];
         const int grain = list.grainOf[member.body];
-        const Vec3 target = clumps.position[member.owner] + clumps.orientation[member.owner]*member.center;
+        const int clump = list.general.clumpOf[member.owner];
+        const Vec3 target = clumps.position[clump] + clumps.orientation[clump]*member.center;
         Vec3& position = list.position[member.body];
         position += box.nearestImage(target - position);
         grains.position[grain] = box.wrap(target);
-        grains.orientation[grain] = clumps.orientation[member.owner];
+        grains.orientation[grain] = clumps.orientation[clump];
     }
 }
 
 void moveGeneral(ContactList& list, Grains& grains, const PeriodicBox& box, double deltaT)
 {
-    for (std::size_t c = 0; c < list.general.own(); ++c)
+    for (std::size_t k = 0; k < list.general.own(); ++k)
     {
-        displace(grains, c, deltaT*list.general.bodies[c].v, deltaT*list.general.bodies[c].omega, box);
+        displace(grains, list.general.clumpOf[k], deltaT*list.general.bodies[k].v, deltaT*list.general.bodies[k].omega, box);
     }
     putMembers(list, grains, box);
 }
 
-void displace(Grains& grains, std::size_t general, const Vec3& shift, const Vec3& turn, const PeriodicBox& box)
+void displace(Grains& grains, std::size_t clump, const Vec3& shift, const Vec3& turn, const PeriodicBox& box)
 {
     Clumps& clumps = grains.clumps;
-    clumps.position[general] = box.wrap(clumps.position[general] + shift);
+    clumps.position[clump] = box.wrap(clumps.position[clump] + shift);
     if (turn == Vec3::Zero()) return;
-    clumps.orientation[general] = (rotationBy(turn)*clumps.orientation[general]).normalized();
+    clumps.orientation[clump] = (rotationBy(turn)*clumps.orientation[clump]).normalized();
 }
 
 void copyGeneralVelocities(const ContactList& list, Grains& grains)
 {
     Clumps& clumps = grains.clumps;
-    for (std::size_t c = 0; c < clumps.size(); ++c)
+    for (std::size_t k = 0; k < list.general.own(); ++k)
     {
-        const GeneralBody& body = list.general.bodies[c];
-        clumps.velocity[c] = body.v;
-        clumps.angularMomentum[c] = body.freeMomentum + body.inertia*(body.omega - body.freeOmega);
+        const GeneralBody& body = list.general.bodies[k];
+        const int clump = list.general.clumpOf[k];
+        clumps.velocity[clump] = body.v;
+        clumps.angularMomentum[clump] = body.freeMomentum + body.inertia*(body.omega - body.freeOmega);
     }
 }
 

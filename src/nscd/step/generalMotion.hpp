@@ -7,6 +7,7 @@
 #include "nscd/contacts/contactList.hpp"
 #include "nscd/scene/contactSettings.hpp"
 #include "nscd/scene/externalForces.hpp"
+#include "nscd/step/grainSleep.hpp"
 
 namespace nscd
 {
@@ -19,9 +20,9 @@ void checkGeneralBodies
 
 /// Free motion of clumps: v + dt f/m, and the spin that L + dt t makes of itself in the step (midpointSpin: Henry 2025, eq. 2.7). Forces
 /// on members act at the mass center of their clump, so that weight turns nothing; their torques add up.
-/// Members among the list's bodies get the velocities.
+/// Members among the list's bodies get the velocities. Sleeping clumps have neither velocity nor mobility.
 /// Errors: std::invalid_argument for implicit drag on a member
-void setFreeGeneral(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT);
+void setFreeGeneral(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const GrainSleep& sleep);
 
 /// Gives members among the list's bodies the velocities of their clumps, to be called after a solve.
 void takeGeneralVelocities(ContactList& list, const GrainShape& shape);
@@ -34,8 +35,8 @@ void moveGeneral(ContactList& list, Grains& grains, const PeriodicBox& box, doub
 /// Puts members where the clumps are, with their orientation: in the grains, and unwrapped in the list.
 void putMembers(ContactList& list, Grains& grains, const PeriodicBox& box);
 
-/// Shifts and turns the clump of a general body, by displacements that give no velocity; its members follow with putMembers().
-void displace(Grains& grains, std::size_t general, const Vec3& shift, const Vec3& turn, const PeriodicBox& box);
+/// Shifts and turns a clump, by displacements that give no velocity; its members follow with putMembers().
+void displace(Grains& grains, std::size_t clump, const Vec3& shift, const Vec3& turn, const PeriodicBox& box);
 
 /// Velocity and angular momentum after the step: L + dt t, and what the contacts' impulses add to it. To be called once the solves are over.
 void copyGeneralVelocities(const ContactList& list, Grains& grains);

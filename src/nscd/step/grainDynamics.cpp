@@ -120,7 +120,7 @@ void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
 {
     const auto timer = times.time(GrainPart::buildContacts);
     setFreeVelocities(list, grains, external, deltaT, sleep);
-    if (!list.general.empty()) setFreeGeneral(list, grains, external, deltaT);
+    if (!list.general.empty()) setFreeGeneral(list, grains, external, deltaT, sleep);
     keepVelocities(list, freeVelocity);
     movingWalls.setVelocities(list, box, grains.shape.emptyAxis);
     if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);

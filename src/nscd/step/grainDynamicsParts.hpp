@@ -84,7 +84,7 @@ struct GrainDynamics::Implementation
     ContactList& wholeList() { return sleep.any() ? awakePart.whole() : list; }
     static std::vector<LoadedContact> contactsOf(const ContactList& list);
     bool isEverybodyAsleep() const { return sleep.any() && awakePart.isEmpty(); }
-    bool maySleep() const { return settings.sleep && list.general.empty() && !materials.anyRoughness(); }
+    bool maySleep() const { return settings.sleep && !materials.anyRoughness(); }
     double deadBand() const { return settings.deadBand*diameter; }
 
     void measureGrains();

@@ -39,7 +39,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     shockSettings.displacementTolerance = 1.0;
     const SolveReport shock = solveWhereAwake(problem, shockSettings, solve);
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
-    if (sleep.any() && !sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty())
+    if (sleep.any() && list.halo.any(!sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty()))
     {
         report = together(shock, report);
         // A shock goes through everything that touches: once more, with nobody asleep.
@@ -47,6 +47,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
         awakePart.giveBack(list, forcesOnBodies());
         giveUpSleep();
         prepareSolve(external);
+        if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
         rebound(external, report);
         return;
     }

@@ -25,6 +25,25 @@ bool isSmall(const Grains& grains, std::size_t i, const Vec3& force, const Vec3&
     return force.squaredNorm() <= limit*limit && torque.squaredNorm() <= moment*moment;
 }
 
+/// Whether a grain is slower than a speed, its surface too.
+bool isSlow(const Grains& grains, int i, double speed)
+{
+    const double spin2 = grains.radius[i]*grains.radius[i]*grains.omega[i].squaredNorm();
+    return grains.velocity[i].squaredNorm() <= speed*speed && spin2 <= speed*speed;
+}
+
+/// A flag of any member becomes one of all members of its clump.
+void giveToClumps(const ContactList& list, std::vector<std::uint8_t>& isFlagged)
+{
+    std::vector<std::uint8_t> ofClumps(list.general.own(), 0);
+    for (std::size_t k = 0; k < list.general.ownMembers; ++k)
+    {
+        const GeneralMember& member = list.general.members[k];
+        ofClumps[member.owner] |= isFlagged[member.body];
+    }
+    for (std::size_t k = 0; k < list.general.ownMembers; ++k) isFlagged[list.general.members[k].body] = ofClumps[list.general.members[k].owner];
+}
+
 bool isMoving(const Body& body) { return Vec3(body.v) != Vec3::Zero() || Vec3(body.s) != Vec3::Zero(); }
 
 } // namespace
@@ -34,11 +53,33 @@ std::vector<int> GrainSleep::disturbedBy(const Grains& grains, const ExternalFor
     std::vector<int> disturbed;
     for (std::size_t i = 0; i < isAsleep_.size(); ++i)
     {
-        if (!isAsleep_[i] || grains.isFixed[i]) continue;
+        if (!isAsleep_[i] || grains.isFixed[i] || isMember(i)) continue;
         const Vec3 force = entry(external.force, i) - force_[i], torque = entry(external.torque, i) - torque_[i];
         if (!isSmall(grains, i, force, torque, restLimit*speedScale_, deltaT)) disturbed.push_back(static_cast<int>(i));
     }
+    const Clumps& clumps = grains.clumps;
+    for (std::size_t c = 0; c < clumps.size() && any(); ++c)
+    {
+        const int first = clumps.firstMember[c], end = first + static_cast<int>(clumps.shapeOf(c).members.size());
+        if (!isAsleep_[first]) continue;
+        ClumpLoad change;   // callers' forces act at the mass center
+        for (int i = first; i < end; ++i) change.add(entry(external.force, i) - force_[i], entry(external.torque, i) - torque_[i], Vec3::Zero());
+        if (!isSmall(grains, static_cast<int>(c), change, restLimit*speedScale_, deltaT)) disturbed.push_back(first);
+    }
     return disturbed;
+}
+
+/// Of the own clumps of a list, what contacts do to them now against what was noted; forces and torques by body, or by grain.
+std::vector<ClumpLoad> GrainSleep::changes(const ContactList& list, const std::vector<Vec3>& force, const std::vector<Vec3>& torque, bool areOfBodies) const
+{
+    std::vector<ClumpLoad> changes(list.general.own());
+    for (std::size_t k = 0; k < list.general.ownMembers; ++k)
+    {
+        const GeneralMember& member = list.general.members[k];
+        const int i = list.grainOf[member.body], at = areOfBodies ? member.body : i;
+        changes[member.owner].add(force[at] - contactForce_[i], torque[at] - contactTorque_[i], member.arm);
+    }
+    return changes;
 }
 
 std::vector<int> GrainSleep::disturbedBy(const Grains& grains, const ContactList& list, const ContactForces& onBodies, double deltaT) const
@@ -47,9 +88,15 @@ std::vector<int> GrainSleep::disturbedBy(const Grains& grains, const ContactList
     for (int body = 0; body < list.owned(); ++body)
     {
         const int i = list.grainOf[body];
-        if (!isAsleep_[i] || grains.isFixed[i]) continue;
+        if (!isAsleep_[i] || grains.isFixed[i] || isMember(i)) continue;
         const Vec3 force = onBodies.force[body] - contactForce_[i], torque = onBodies.torque[body] - contactTorque_[i];
         if (!isSmall(grains, i, force, torque, restLimit*speedScale_, deltaT)) disturbed.push_back(i);
+    }
+    const std::vector<ClumpLoad> ofClumps = changes(list, onBodies.force, onBodies.torque, true);
+    for (std::size_t k = 0; k < ofClumps.size(); ++k)
+    {
+        const int clump = list.general.clumpOf[k], first = grains.clumps.firstMember[clump];
+        if (isAsleep_[first] && !isSmall(grains, clump, ofClumps[k], restLimit*speedScale_, deltaT)) disturbed.push_back(first);
     }
     return disturbed;
 }
@@ -73,14 +120,24 @@ std::vector<int> GrainSleep::pressed(const Grains& grains, const ContactList& li
     return pressed;
 }
 
+void GrainSleep::wakeOne(int grain)
+{
+    if (!isAsleep_[grain]) return;
+    isAsleep_[grain] = 0;
+    quietSteps_[grain] = 0;
+    --asleepHere_;
+}
+
 void GrainSleep::wake(const std::vector<int>& sleepers, const Halo& halo)
 {
+    const int n = static_cast<int>(isAsleep_.size());
     for (int i : sleepers)
     {
-        isAsleep_[i] = 0;
-        quietSteps_[i] = 0;
+        wakeOne(i);
+        if (!isMember(i)) continue;
+        for (int k = i - 1; k >= 0 && clumpOf_[k] == clumpOf_[i]; --k) wakeOne(k);
+        for (int k = i + 1; k < n && clumpOf_[k] == clumpOf_[i]; ++k) wakeOne(k);
     }
-    asleepHere_ -= sleepers.size();
     asleep_ = halo.sum(static_cast<double>(asleepHere_));
 }
 
@@ -90,11 +147,24 @@ void GrainSleep::countQuietSteps(const RestingStep& step, const Grains& grains)
     const double speed = restLimit*step.speedScale;
     for (int i : step.list.grainOf)
     {
-        const double spin2 = grains.radius[i]*grains.radius[i]*grains.omega[i].squaredNorm();
-        const bool isSlow = grains.velocity[i].squaredNorm() <= speed*speed && spin2 <= speed*speed;
+        if (isMember(i)) continue;
         const double force = speed*grains.mass[i]/step.deltaT;
-        const bool isQuiet = isSlow && (step.contact.force[i] - contactForce_[i]).squaredNorm() <= force*force;
+        const bool isQuiet = isSlow(grains, i, speed) && (step.contact.force[i] - contactForce_[i]).squaredNorm() <= force*force;
         quietSteps_[i] = isQuiet ? quietSteps_[i] + 1 : 0;
+    }
+}
+
+void GrainSleep::countQuietClumps(const RestingStep& step, const Grains& grains)
+{
+    const double speed = restLimit*step.speedScale;
+    const std::vector<ClumpLoad> ofClumps = changes(step.list, step.contact.force, step.contact.torque, false);
+    for (std::size_t k = 0; k < ofClumps.size(); ++k)
+    {
+        const int clump = step.list.general.clumpOf[k], first = grains.clumps.firstMember[clump];
+        const int end = first + static_cast<int>(grains.clumps.shapeOf(clump).members.size());
+        bool isQuiet = isSmall(grains, clump, ofClumps[k], speed, step.deltaT);
+        for (int i = first; i < end && isQuiet; ++i) isQuiet = isSlow(grains, i, speed);
+        for (int i = first; i < end; ++i) quietSteps_[i] = isQuiet ? quietSteps_[i] + 1 : 0;
     }
 }
 
@@ -123,7 +193,18 @@ std::vector<std::uint8_t> GrainSleep::restlessBodies(const RestingStep& step, co
         if (fails[b]) isRestless[a] = 1;
     }
     list.halo.takeFlags(isRestless);
+    if (!list.general.empty()) giveToClumps(list, isRestless);
     return isRestless;
+}
+
+void GrainSleep::makeRoom(const Grains& grains)
+{
+    const std::size_t n = grains.size();
+    if (quietSteps_.size() == n) return;
+    quietSteps_.resize(n, 0);
+    isAsleep_.resize(n, 0);
+    for (std::vector<Vec3>* values : {&contactForce_, &contactTorque_, &force_, &torque_}) values->resize(n, Vec3::Zero());
+    clumpOf_ = clumpOfGrains(grains);
 }
 
 void GrainSleep::note(const RestingStep& step, int grain)
@@ -136,13 +217,10 @@ void GrainSleep::note(const RestingStep& step, int grain)
 
 bool GrainSleep::fallAsleep(const RestingStep& step, Grains& grains)
 {
-    const std::size_t n = grains.size();
-    quietSteps_.resize(n, 0);
-    contactForce_.resize(n, Vec3::Zero());
+    makeRoom(grains);
     countQuietSteps(step, grains);
+    if (!step.list.general.empty()) countQuietClumps(step, grains);
     if (++steps_ % stepsToSleep != 0) return false;
-    for (std::vector<Vec3>* values : {&contactTorque_, &force_, &torque_}) values->resize(n);
-    isAsleep_.resize(n, 0);
 
     const std::vector<std::uint8_t> isRestless = restlessBodies(step, grains);
     std::vector<int> fallers;
@@ -154,7 +232,7 @@ bool GrainSleep::fallAsleep(const RestingStep& step, Grains& grains)
         if (grains.isFixed[i]) isAsleep_[i] = !isRestless[body];
         else if (!isRestless[body]) fallers.push_back(i);
     }
-    double sums[3] = {static_cast<double>(fallers.size()), static_cast<double>(asleepHere_ + fallers.size()), static_cast<double>(n)};
+    double sums[3] = {static_cast<double>(fallers.size()), static_cast<double>(asleepHere_ + fallers.size()), static_cast<double>(grains.size())};
     step.list.halo.sum(sums, 3);
     if (sums[0] == 0.0 || sums[1] < worthwhile*sums[2]) return false;
     speedScale_ = step.speedScale;
@@ -166,6 +244,9 @@ bool GrainSleep::fallAsleep(const RestingStep& step, Grains& grains)
         isAsleep_[i] = 1;
         grains.velocity[i].setZero();
         grains.omega[i].setZero();
+        if (!isMember(i)) continue;
+        grains.clumps.velocity[clumpOf_[i]].setZero();
+        grains.clumps.angularMomentum[clumpOf_[i]].setZero();
     }
     return true;
 }

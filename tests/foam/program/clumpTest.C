@@ -188,7 +188,7 @@ TEST(BadStart, clumpsStandBesideNoOtherLawsAndAreNoDiscsInAFluid)
     {
         return isRefused(ProgramCase(Files{{"constant/grainProperties", properties}}, "", box), pieces);
     };
-    EXPECT_TRUE(refused(with(head, "friction 0.3;", "friction 0.3; rollingFriction 0.1;") + alone, {"rolling or spinning friction, which contacts of clumps do not know"}));
+    EXPECT_TRUE(refused(with(head, "friction 0.3;", "friction 0.3; roughness 1e-5; lubricationRange 1e-3;") + alone, {"lubrication, which contacts of clumps do not know"}));
     EXPECT_TRUE(refused(head + alone + "solver { type queue; }", {"solver.type", "knows no clumps"}));
     EXPECT_TRUE(refused(head + alone + "heat { law Gunn; fluid { heatCapacity 4182; conductivity 6; } materials { default { heatCapacity 800; temperature 300; } } }", {"heat", "stands beside clumps"}));
     BoxMeshSettings flat = programBox();

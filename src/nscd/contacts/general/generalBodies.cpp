@@ -17,6 +17,14 @@ int GeneralBodies::representative(int body) const
     return members[at].body;
 }
 
+std::pair<std::size_t, std::size_t> GeneralBodies::besides(std::size_t number) const
+{
+    std::size_t first = number, end = number + 1;
+    while (first > 0 && members[first - 1].owner == members[number].owner) --first;
+    while (end < ownMembers && members[end].owner == members[number].owner) ++end;
+    return {first, end};
+}
+
 GeneralHalo::Motions GeneralBodies::velocities() const
 {
     GeneralHalo::Motions values;

@@ -9,6 +9,7 @@
 #include "nscd/contacts/general/generalBody.hpp"
 #include "nscd/contacts/general/generalHalo.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace nscd
@@ -35,6 +36,15 @@ struct GeneralSlot
     Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();    ///< [kg]
 };
 
+/// What a slot has besides where contacts bear moments, M = R' q on A (see RollingFriction): with u the relative velocity and w = R' (omega_A - omega_B),
+/// u = u_free + W r + K q, w = w_free + K^T r + S q, K = -R' sum [c] J^-1, S = R'^2 sum J^-1.
+struct GeneralMoment
+{
+    double reducedRadius = 0.0;                               ///< R' [m]
+    Eigen::Matrix3d coupling = Eigen::Matrix3d::Zero();       ///< K [1/kg]
+    Eigen::Matrix3d mobility = Eigen::Matrix3d::Zero();       ///< S [1/kg]
+};
+
 /// The general bodies of a contact list; none in plain scenes. Contacts with a member of one fill blocks of their own, behind all others; what these hold,
 /// normals, gaps, impulses, 1/W_nn and 1/W_tt (half the trace of the tangential part), means what it does elsewhere, but lanes of a block may share
 /// bodies, and kernels never see them. Members' entries among the list's bodies follow their owners after a solve, for whoever reads velocities there.
@@ -43,12 +53,14 @@ struct GeneralBodies
 {
     bool isThere = false;              ///< whether any rank has a general body: all take part then in what keeps them one
     std::vector<GeneralBody> bodies;   ///< own ones, ghosts and copies, as GeneralHalo numbers them
-    std::vector<GeneralMember> members;   ///< of own bodies, then of ghosts
+    std::vector<int> clumpOf;          ///< of each own body; ascending
+    std::vector<GeneralMember> members;   ///< of own bodies, then of ghosts; those of an own body in a row
     std::size_t ownMembers = 0;
     std::vector<int> memberOf;         ///< of each own body of the list, and of each ghost there, -1: a single grain
     std::size_t firstBlock = 0;
     std::size_t firstInterface = 0;      ///< from this block on contacts join two ranks
     std::vector<GeneralSlot> slots;      ///< of blocks from firstBlock on
+    std::vector<GeneralMoment> moments;  ///< of the same slots; empty where contacts bear no moments
     bool isFrictionHeld = false;         ///< the friction of a block is the bound itself [N s], while solvers/heldFriction.hpp says so
     GeneralHalo halo;
 
@@ -56,6 +68,8 @@ struct GeneralBodies
     std::size_t own() const { return halo.isParallel() ? static_cast<std::size_t>(halo.ownBodies()) : bodies.size(); }
     /// Index into members of a body of the list, or -1.
     int member(int body) const { return body < static_cast<int>(memberOf.size()) ? memberOf[body] : -1; }
+    /// First and end, among members, of those of the own body that one of them is part of.
+    std::pair<std::size_t, std::size_t> besides(std::size_t number) const;
     /// One body for all members of a general body, the first of them; others stand for themselves.
     int representative(int body) const;
 

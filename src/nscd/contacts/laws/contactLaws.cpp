@@ -43,15 +43,15 @@ const std::vector<ContactLawRow>& contactLaws()
     static const std::vector<ContactLawRow> rows =
     {
         {
-            "cohesion", nullptr, false, false, true,
+            "cohesion", nullptr, false, true, false, true,
             [](const Materials& m) { return m.anyCohesion(); }, [](const Materials& m) { return m.cohesionRange(); }, make<Cohesion>
         },
         {
-            "rolling or spinning friction", "rolling", true, true, false,
+            "rolling or spinning friction", "rolling", true, true, true, false,
             [](const Materials& m) { return m.anyRolling(); }, none, make<RollingFriction>
         },
         {
-            "lubrication", nullptr, true, false, false,
+            "lubrication", nullptr, true, false, false, false,
             [](const Materials& m) { return m.anyRoughness(); }, [](const Materials& m) { return m.lubricationRange(); }, make<Lubrication>
         }
     };

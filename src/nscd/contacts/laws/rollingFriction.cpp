@@ -5,6 +5,7 @@
 #include "nscd/contacts/laws/rollingFriction.hpp"
 
 #include "nscd/contacts/contactList.hpp"
+#include "nscd/contacts/general/generalMoments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +72,11 @@ void RollingFriction::startWarm(ContactList& list, double scale)
         LawBlock& moments = blocks_[slot/blockLanes];
         const Vec3 q = admissible(scale*impulse(slot), block, moments, lane);
         nscd::set(moments.q, lane, q);
+        if (!list.general.empty() && slot >= list.general.firstBlock*blockLanes)
+        {
+            giveGeneralMoment(list.bodies.data(), list.blocks.data(), blocks_.data(), list.general, slot, q);
+            continue;
+        }
         Body& a = list.bodies[block.a[lane]];
         Body& b = list.bodies[block.b[lane]];
         add(a.s, a.invSpin*moments.of[momentLaw::shareA][lane]*q);

@@ -4,6 +4,7 @@
 // Passes over contacts, on one rank and across several.
 #include "nscd/solvers/problem/contactProblem.hpp"
 
+#include "nscd/contacts/general/generalMoments.hpp"
 #include "nscd/contacts/general/generalSweep.hpp"
 #include "nscd/kernels/blockPrefetch.hpp"
 
@@ -57,6 +58,20 @@ DefectSums evaluateBlocks(ContactProblem& problem, BlockRange range)
     return sums;
 }
 
+DefectSums sweepGeneralBlocks(ContactProblem& problem, BlockRange range)
+{
+    Body* const bodies = problem.bodies.data();
+    if (!problem.lawBlocks) return sweepGeneral(bodies, problem.blocks.data(), *problem.general, range);
+    return sweepGeneralMoments(bodies, problem.blocks.data(), problem.lawBlocks->data(), *problem.general, range);
+}
+
+DefectSums evaluateGeneralBlocks(const ContactProblem& problem)
+{
+    DefectSums sums = evaluateGeneral(problem.bodies.data(), problem.blocks, *problem.general);
+    if (problem.lawBlocks) add(sums, evaluateGeneralMoments(problem.bodies.data(), problem.blocks, *problem.lawBlocks, *problem.general));
+    return sums;
+}
+
 } // namespace
 
 DefectSums sweepBlocks(ContactProblem& problem, BlockRange range, const SweepOn& on)
@@ -85,7 +100,7 @@ double netImpulse(const ContactProblem& problem)
     for (std::size_t k = 0; problem.general && k < problem.general->own(); ++k)
     {
         const GeneralBody& body = problem.general->bodies[k];
-        sum += (body.v - body.freeV).norm()/body.invMass;
+        if (body.invMass > 0.0) sum += (body.v - body.freeV).norm()/body.invMass;
     }
     return problem.halo.sum(sum);
 }
@@ -127,14 +142,13 @@ std::vector<std::uint32_t> ContactProblem::withinRank() const
 
 DefectSums sweepActive(ContactProblem& problem, const SweepOn& on)
 {
-    const auto sweepThose = [&](BlockRange range) { return sweepGeneral(problem.bodies.data(), problem.blocks.data(), *problem.general, range); };
     const BlockRange insideRank = problem.inner();
     DefectSums inner = sweepBlocks(problem, insideRank, on);
-    if (problem.general) add(inner, sweepThose(problem.innerGeneral()));
+    if (problem.general) add(inner, sweepGeneralBlocks(problem, problem.innerGeneral()));
     if (!problem.halo.isParallel()) return inner;
     problem.giveVelocities();
     DefectSums between = sweepBlocks(problem, problem.interface(), behind(on, insideRank.count));
-    if (problem.general) add(between, sweepThose(problem.interfaceGeneral()));
+    if (problem.general) add(between, sweepGeneralBlocks(problem, problem.interfaceGeneral()));
     problem.takeVelocities();
     return overRanks(problem.halo, inner, between);
 }
@@ -173,7 +187,7 @@ DefectSums residual(ContactProblem& problem)
     const StepTimes::Timer timer(problem.times, GrainPart::judgeContacts);
     problem.giveVelocities();
     DefectSums here = evaluateBlocks(problem, problem.isAllAwake && !problem.general ? problem.active() : problem.all());
-    if (problem.general) add(here, evaluateGeneral(problem.bodies.data(), problem.blocks, *problem.general));
+    if (problem.general) add(here, evaluateGeneralBlocks(problem));
     if (problem.leftOut) add(here, problem.leftOut->defects(problem));
     if (!problem.halo.isParallel()) return here;
     DefectSums everywhere = overRanks(problem.halo, here, {0.0, 0.0, 0.0});

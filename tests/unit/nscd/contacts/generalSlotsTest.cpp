@@ -34,7 +34,7 @@ nscd::ContactList freeList(const Scene& scene)
 {
     nscd::ContactList list = listContacts(scene, 0.5*memberRadius);
     nscd::setFreeVelocities(list, scene.grains, nscd::ExternalForces(), deltaT, nscd::GrainSleep());
-    nscd::setFreeGeneral(list, scene.grains, nscd::ExternalForces(), deltaT);
+    nscd::setFreeGeneral(list, scene.grains, nscd::ExternalForces(), deltaT, nscd::GrainSleep());
     return list;
 }
 

@@ -35,7 +35,7 @@ TEST(GeneralCorrection, removesOverlapAndKeepsTheMassCenterAndVelocities)
     Scene scene = overlapping();
     nscd::ContactList list = listContacts(scene, 0.5*memberRadius);
     nscd::setFreeVelocities(list, scene.grains, nscd::ExternalForces(), deltaT, nscd::GrainSleep());
-    nscd::setFreeGeneral(list, scene.grains, nscd::ExternalForces(), deltaT);
+    nscd::setFreeGeneral(list, scene.grains, nscd::ExternalForces(), deltaT, nscd::GrainSleep());
     const nscd::Grains before = scene.grains;
     double deepest = nscd::measureOverlap(list).deepest;
     ASSERT_GT(deepest, 0.05*memberRadius);
