@@ -20,9 +20,8 @@ constexpr double impact = 1.0;
 /// bed: 80 a grain in place of 21). With a quarter of it a collapse needs two lists in place of one.
 constexpr double widestMiss = 1.0;
 /// Steps that grains are expected to move on as they do. In a collapse lists cost 9 ms a step with 4; with 2 and 3 steps 16 and 13, and 5 gain nothing. Where
-/// grains hit each other at speed, as in rain on a bed, one list for that long holds more candidates than two for half of it: in a fluidized bed
-/// that flies apart lists and what looks at them cost 1.6 times as much as sweeps with a scatter of 0.5, 1.1 with 0.25, 1.1 to 1.2 with 0.2 to 0.12.
-constexpr double mostSteps = 4.0, fewestSteps = 1.5, widestScatter = 0.25;
+/// grains hit each other at speed, as in rain on a bed, one list for that long holds more candidates than two for half of it.
+constexpr double mostSteps = 4.0, fewestSteps = 1.5, widestScatter = 0.5;
 
 /// Of each grain: the speed at which an impact of one that passes within `miss` [m] in a time may throw it off its path. Two bodies on straight paths
 /// come no nearer than along their present normal.

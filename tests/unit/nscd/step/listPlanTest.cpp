@@ -36,13 +36,13 @@ nscd::ListPlan planOf(const Scene& scene)
 
 TEST(ListPlan, grainsThatMeetMayBeThrownOffByTheirRelativeVelocity)
 {
-    const double speed = 2.5;
+    const double speed = 5.0;
     const nscd::ListPlan plan = planOf(fiveGrains(speed));
     const double expected[] = {3*speed, 3*speed, speed, speed, speed};
     for (int i = 0; i < 5; ++i) EXPECT_DOUBLE_EQ(plan.speed[i], expected[i]) << i;
-    // Impacts of 2 speed on two of five grains; thrown off by a quarter of a diameter in the mean.
+    // Impacts of 2 speed on two of five grains; thrown off by half a diameter in the mean.
     const double scatter = 2*speed*std::sqrt(2.0/5.0);
-    EXPECT_DOUBLE_EQ(plan.expected.time, 0.25*2*radius/scatter);
+    EXPECT_DOUBLE_EQ(plan.expected.time, 0.5*2*radius/scatter);
     EXPECT_EQ(plan.expected.velocity, fiveGrains(speed).grains.velocity);
 }
 
