@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Clumps that sleep, and that resist rolling, on several ranks: as on one, whatever the cut.
-#include "rankedScene.hpp"
+#include "rankedSleep.hpp"
 
 #include "unit/nscd/scenes/clumpStacks.hpp"
 #include "unit/nscd/scenes/lawScenes.hpp"
@@ -15,8 +15,7 @@ using namespace scenes;
 namespace
 {
 
-constexpr double deltaT = 1e-3, r = memberRadius;
-constexpr int stepsToSleep = 112;
+constexpr double deltaT = sleepDeltaT, r = memberRadius;
 constexpr std::size_t all = stackedGrains, second = stackedGrains - firstStack;
 
 int ranks()
@@ -37,46 +36,8 @@ const std::vector<OwnerOf>& cuts()
     return all;
 }
 
-nscd::StepReport run(nscd::GrainDynamics& dynamics, int steps)
-{
-    nscd::StepReport report;
-    for (int k = 0; k < steps; ++k) report = step(dynamics, Vec3(0, 0, -gravity), deltaT);
-    return report;
-}
-
-/// Weight, and a force on one grain in units of its weight.
-nscd::ExternalForces pushed(const nscd::GrainDynamics& dynamics, std::int64_t id, const Vec3& part)
-{
-    const nscd::Grains& own = dynamics.grains();
-    nscd::ExternalForces forces = weight(own, Vec3(0, 0, -gravity), deltaT);
-    for (std::size_t i = 0; i < own.size(); ++i)
-    {
-        if (own.id[i] == id) forces.force[i] += gravity*own.mass[i]*part;
-    }
-    return forces;
-}
-
-nscd::StepReport stepPushed(nscd::GrainDynamics& dynamics, std::int64_t id, const Vec3& part)
-{
-    dynamics.beginStep(deltaT);
-    return dynamics.advance(pushed(dynamics, id, part));
-}
-
-/// What a test does with both stacks asleep, for each cut, with the roller and without.
 template<class Test>
-void withSleepers(const Test& test)
-{
-    for (const bool withRoller : {false, true})
-    for (std::size_t k = 0; k < cuts().size(); ++k)
-    {
-        SCOPED_TRACE("cut " + std::to_string(k) + (withRoller ? " with a roller" : ""));
-        RankedScene scene(clumpStacks(withRoller), fineEnoughToSleep(), cuts()[k]);
-        const nscd::StepReport report = run(scene.dynamics(), stepsToSleep);
-        ASSERT_EQ(report.asleep, all);
-        EXPECT_EQ(report.solve.sweeps > 0, withRoller);
-        test(scene, withRoller);
-    }
-}
+void withSleepers(const Test& test) { scenes::withSleepers(clumpStacks, cuts(), all, test); }
 
 } // namespace
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Grains that sleep on several ranks: as on one, whatever the cut, with all asleep and with some.
-#include "rankedScene.hpp"
+#include "rankedSleep.hpp"
 
 #include "unit/nscd/scenes/pyramids.hpp"
 
@@ -13,8 +13,7 @@ using namespace scenes;
 namespace
 {
 
-constexpr double deltaT = 1e-3, radius = pyramidRadius;
-constexpr int stepsToSleep = 112;
+constexpr double deltaT = sleepDeltaT, radius = pyramidRadius;
 constexpr int top = pyramidTop, roller = pyramidRoller;   // identities
 
 int ranks()
@@ -34,31 +33,6 @@ const std::vector<OwnerOf>& cuts()
     return all;
 }
 
-/// Weight, and on one grain a force besides, in units of its weight.
-nscd::ExternalForces pushed(const nscd::GrainDynamics& dynamics, std::int64_t id, const Vec3& part)
-{
-    const nscd::Grains& own = dynamics.grains();
-    nscd::ExternalForces forces = weight(own, Vec3(0, 0, -gravity), deltaT);
-    for (std::size_t i = 0; i < own.size(); ++i)
-    {
-        if (own.id[i] == id) forces.force[i] += gravity*own.mass[i]*part;
-    }
-    return forces;
-}
-
-nscd::StepReport stepPushed(nscd::GrainDynamics& dynamics, std::int64_t id, const Vec3& part)
-{
-    dynamics.beginStep(deltaT);
-    return dynamics.advance(pushed(dynamics, id, part));
-}
-
-nscd::StepReport run(nscd::GrainDynamics& dynamics, int steps)
-{
-    nscd::StepReport report;
-    for (int k = 0; k < steps; ++k) report = step(dynamics, Vec3(0, 0, -gravity), deltaT);
-    return report;
-}
-
 /// Of a vector that each own grain has, that of one identity.
 Vec3 ofGrain(const nscd::Grains& own, const std::vector<Vec3>& values, std::int64_t id)
 {
@@ -71,21 +45,8 @@ Vec3 ofGrain(const nscd::Grains& own, const std::vector<Vec3>& values, std::int6
     return Vec3(all.data());
 }
 
-/// What a test does with pyramids asleep, for each cut, with the roller and without.
 template<class Test>
-void withSleepers(const Test& test)
-{
-    for (const bool withRoller : {false, true})
-    for (std::size_t k = 0; k < cuts().size(); ++k)
-    {
-        SCOPED_TRACE("cut " + std::to_string(k) + (withRoller ? " with a roller" : ""));
-        RankedScene scene(pyramids(withRoller), fineEnoughToSleep(), cuts()[k]);
-        const nscd::StepReport report = run(scene.dynamics(), stepsToSleep);
-        ASSERT_EQ(report.asleep, 8u);
-        EXPECT_EQ(report.solve.sweeps > 0, withRoller);
-        test(scene, withRoller);
-    }
-}
+void withSleepers(const Test& test) { scenes::withSleepers(pyramids, cuts(), 8u, test); }
 
 } // namespace
 
@@ -144,7 +105,7 @@ TEST(SleepOnRanks, predictionsAndTrials)
     withSleepers([](RankedScene& scene, bool)
     {
         nscd::GrainDynamics& dynamics = scene.dynamics();
-        const nscd::ExternalForces lifting = pushed(dynamics, top, Vec3(0, 0, 2)), still = pushed(dynamics, top, Vec3::Zero());
+        const nscd::ExternalForces lifting = pushedOne(dynamics.grains(), top, Vec3(0, 0, 2)), still = pushedOne(dynamics.grains(), top, Vec3::Zero());
         dynamics.beginStep(deltaT);
         EXPECT_EQ(ofGrain(dynamics.grains(), dynamics.tryForces(lifting).velocity, top), Vec3(0, 0, 0));
         EXPECT_EQ(ofGrain(dynamics.grains(), dynamics.predict(still).velocity, top), Vec3(0, 0, 0));

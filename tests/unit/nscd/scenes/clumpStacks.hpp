@@ -5,6 +5,7 @@
 #pragma once
 
 #include "unit/nscd/scenes/clumpScenes.hpp"
+#include "unit/nscd/scenes/sleepSteps.hpp"
 
 namespace scenes
 {
@@ -16,10 +17,10 @@ constexpr int stackRoller = stackedGrains;
 
 /// A dumbbell in the furrow of a cube of balls, and far from there a sphere in the hollow of another cube; where asked for, behind them in the list, a
 /// sphere that rolls on the floor for ever and meets nobody.
-inline Scene clumpStacks(bool withRoller, double restitution = 0.0)
+inline Scene clumpStacks(bool withRoller)
 {
     const double r = memberRadius;
-    Scene scene(3, 0.5, restitution);
+    Scene scene(3, 0.5, 0.0);
     scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
     const int ofCube = addShape(scene, cube()), ofDumbbell = addShape(scene, dumbbell());
     addClump(scene, ofCube, Vec3(0, 0, 2*r));

@@ -4,7 +4,7 @@
 // Two pyramids that come to rest, for tests of grains that sleep.
 #pragma once
 
-#include "unit/nscd/scenes/scenes.hpp"
+#include "unit/nscd/scenes/sleepSteps.hpp"
 
 namespace scenes
 {
@@ -34,14 +34,6 @@ inline Scene pyramids(bool withRoller)
     scene.grains.velocity.back() = Vec3(0.2, 0, 0);
     scene.grains.omega.back() = Vec3(0, 0.2/radius, 0);
     return scene;
-}
-
-/// Where something moves nothing is polished, and the noise of coarse solves keeps grains awake: so the tolerance is a fine one.
-inline nscd::ContactSettings fineEnoughToSleep()
-{
-    nscd::ContactSettings settings;
-    settings.tolerance = 1e-6;
-    return settings;
 }
 
 } // namespace scenes

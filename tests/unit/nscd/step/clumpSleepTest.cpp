@@ -5,7 +5,6 @@
 #include "nscd/step/clumpLoads.hpp"
 #include "unit/nscd/scenes/clumpStacks.hpp"
 #include "unit/nscd/scenes/lawScenes.hpp"
-#include "unit/nscd/scenes/pyramids.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,20 +13,7 @@ using namespace scenes;
 namespace
 {
 
-constexpr double deltaT = 1e-3, r = memberRadius;
-
-nscd::StepReport run(nscd::GrainDynamics& dynamics, int steps)
-{
-    nscd::StepReport report;
-    for (int k = 0; k < steps; ++k) report = step(dynamics, Vec3(0, 0, -gravity), deltaT);
-    return report;
-}
-
-nscd::StepReport stepWith(nscd::GrainDynamics& dynamics, const nscd::ExternalForces& forces)
-{
-    dynamics.beginStep(deltaT);
-    return dynamics.advance(forces);
-}
+constexpr double deltaT = sleepDeltaT, r = memberRadius;
 
 nscd::ExternalForces still(const nscd::GrainDynamics& dynamics) { return weight(dynamics.grains(), Vec3(0, 0, -gravity), deltaT); }
 
@@ -36,7 +22,7 @@ struct Sleepers
 {
     nscd::GrainDynamics dynamics;
 
-    explicit Sleepers(bool withRoller, double restitution = 0.0) : dynamics(clumpStacks(withRoller, restitution).build(fineEnoughToSleep()))
+    explicit Sleepers(bool withRoller) : dynamics(clumpStacks(withRoller).build(fineEnoughToSleep()))
     {
         const nscd::StepReport report = run(dynamics, 200);
         EXPECT_EQ(report.asleep, static_cast<std::size_t>(stackedGrains));

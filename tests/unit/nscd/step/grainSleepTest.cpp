@@ -11,14 +11,7 @@ using namespace scenes;
 namespace
 {
 
-constexpr double deltaT = 1e-3, radius = pyramidRadius;
-
-nscd::StepReport run(nscd::GrainDynamics& dynamics, int steps)
-{
-    nscd::StepReport report;
-    for (int k = 0; k < steps; ++k) report = step(dynamics, Vec3(0, 0, -gravity), deltaT);
-    return report;
-}
+constexpr double deltaT = sleepDeltaT, radius = pyramidRadius;
 
 /// A pair of pyramids asleep; with the roller steps still solve something.
 struct Sleepers
@@ -37,12 +30,6 @@ struct Sleepers
 class Sleep : public testing::TestWithParam<bool>
 {};
 INSTANTIATE_TEST_SUITE_P(ofAllOrOfSome, Sleep, testing::Bool());
-
-nscd::StepReport stepWith(nscd::GrainDynamics& dynamics, const nscd::ExternalForces& forces)
-{
-    dynamics.beginStep(deltaT);
-    return dynamics.advance(forces);
-}
 
 } // namespace
 
