@@ -180,21 +180,26 @@ void CoupledRun::advanceGrains()
     const input::WithoutTraps traps;
     access_.beginStep();
     if (!hasGrains()) return reportNoGrains();
-    const label subCycles = properties_.time.subCycles;
+    const label subCycles = subCyclesOf(properties_.time, time_.deltaTValue(), reach_.impactRate);
     const scalar deltaT = time_.deltaTValue()/subCycles;
     step_.received.assign(bodies().size(), Vec3::Zero());
     step_.grainReport = ::nscd::StepReport();
+    step_.subCycles = subCycles;
+    scalar impacts = 0;
     for (label cycle = 0; cycle < subCycles; ++cycle)
     {
         if (subCycles > 1) driveTo(time_.value() - (subCycles - 1 - cycle)*deltaT, deltaT);
         const LinearDrag drag = subCycles == 1 || !hasFluid()
             ? step_.drag : forces_.splitAgain(bodies(), step_.drag, deltaT);
-        step_.grainReport = worstOf(step_.grainReport, advanceOnce(drag, deltaT), cycle + 1);
+        const ::nscd::StepReport report = advanceOnce(drag, deltaT);
+        impacts += report.solve.impacts;
+        step_.grainReport = worstOf(step_.grainReport, report, cycle + 1);
     }
     access_.endMoves();
     if (access_.areContactsWanted()) access_.recordContacts(::nscd::shownContacts(dynamics_->grains(), dynamics_->contacts(), deltaT));
     if (heat_) heat_->conduct(*dynamics_, deltaT, time_.deltaTValue());
     reach_.displacement = step_.grainReport.maxDisplacement*subCycles;
+    reach_.impactRate = impactRate(reach_.impactRate, impacts, time_.deltaTValue());
     lastContactForce_ = bodies_.sums(dynamics_->contactForce());
     if (hasFluid()) recordFluidForce();
     if (hasFluid() && feedsBack()) settleDebts();
@@ -223,6 +228,7 @@ void CoupledRun::advanceGrains()
 void CoupledRun::reportNoGrains()
 {
     step_.grainReport = ::nscd::StepReport();
+    step_.subCycles = properties_.time.subCycles;
     step_.momentumError = 0;
     step_.momentumDebt = 0;
     reach_.displacement = 0;

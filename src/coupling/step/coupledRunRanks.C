@@ -26,6 +26,7 @@ GrainState CoupledRun::takeState()
     GrainState state;
     state.numbers = {{"exited", scalar(exited_)}, {"time", time_.value()}, {"courant", reach_.courant}, {"displacement", reach_.displacement}};
     state.numbers["meanDiameter"] = meanDiameter_;
+    if (properties_.time.maxGrainImpacts > 0) state.numbers["impactRate"] = reach_.impactRate;
     if (coarse_) state.numbers["realExited"] = coarse_->exited(*ranks_.exchange());
     if (entry_) addEntries(*entry_, state.numbers);
     state.contacts = dynamics_->checkpoint(state.numbers["lastDeltaT"]);

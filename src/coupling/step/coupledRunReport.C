@@ -119,6 +119,7 @@ StepRow CoupledRun::describeStep()
     row.grains = totals.number;
     row.clumps = totals.clumps;
     row.report = step_.grainReport;
+    row.subCycles = step_.subCycles;
     row.kineticEnergy = totals.kineticEnergy;
     row.massCenter = totals.massCenter;
     for (const Vec3& force : dynamics_->wallForce()) row.wallForce += toFoam(force);

@@ -214,7 +214,8 @@ void CoupledRun::goOnFrom(const GrainState& state)
     }
     exited_ = static_cast<std::int64_t>(state.numbers.at("exited"));
     continueTime(time_, state.numbers.at("time"));
-    reach_ = {state.numbers.at("courant"), state.numbers.at("displacement"), true};
+    const auto impactRate = state.numbers.find("impactRate");
+    reach_ = {state.numbers.at("courant"), state.numbers.at("displacement"), true, impactRate == state.numbers.end() ? 0 : impactRate->second};
     dynamics_->restore(state.contacts, state.numbers.at("lastDeltaT"));
     const auto realExited = state.numbers.find("realExited");
     if (coarse_ && Pstream::master() && realExited != state.numbers.end()) coarse_->setExited(realExited->second);

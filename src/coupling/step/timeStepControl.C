@@ -4,6 +4,8 @@
 // Step length from Courant number and grain displacement.
 #include "coupling/step/timeStepControl.H"
 
+#include <cmath>
+
 namespace Foam
 {
 namespace nscdCoupling
@@ -13,6 +15,8 @@ namespace
 {
 
 constexpr scalar largestGrowth = 1.2;
+constexpr scalar mostForImpacts = 50;   // grain steps in a fluid step
+constexpr scalar keptOfRate = 0.9;      // from step to step, of a rate of impacts that has gone down
 
 StepLimits readLimits(const Time& time, scalar maxDisplacement)
 {
@@ -34,6 +38,17 @@ void adjustTimeStep(Time& time, const StepReach& last, scalar maxDisplacement)
     if (limits.maxCourant > 0 && last.courant > 0) factor = min(factor, limits.maxCourant/last.courant);
     if (limits.maxDisplacement > 0 && last.displacement > 0) factor = min(factor, limits.maxDisplacement/last.displacement);
     time.setDeltaT(min(factor*time.deltaTValue(), limits.maxDeltaT));
+}
+
+label subCyclesOf(const GrainTimeSettings& settings, scalar deltaT, scalar impactRate)
+{
+    if (!(settings.maxGrainImpacts > 0)) return settings.subCycles;
+    return max(settings.subCycles, label(std::ceil(min(mostForImpacts, deltaT*impactRate/settings.maxGrainImpacts))));
+}
+
+scalar impactRate(scalar before, scalar impacts, scalar deltaT)
+{
+    return max(impacts/deltaT, keptOfRate*before);
 }
 
 } // namespace nscdCoupling

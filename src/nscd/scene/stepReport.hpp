@@ -11,6 +11,9 @@
 namespace nscd
 {
 
+/// Of a grain in a step, in the mean: with more, impacts take a tenth of their energy too little and more (src/nscd/method.md).
+constexpr double manyImpacts = 0.25;
+
 struct SolveReport
 {
     int sweeps = 0;
@@ -36,6 +39,8 @@ struct SolveReport
     double shockWork = 0.0;
     double shockResidualWork = 0.0;
     double reboundShare = 1.0;  ///< what was left of the rebound
+    double impacts = 0.0;       ///< of a grain that moves, with restitution, in the mean [-]: contacts that rebound
+    int stepsOfManyImpacts = 0; ///< steps in a row that had more than manyImpacts, this one included; see warning()
     bool isReboundOfMotion = false;   ///< the shock was not solved, grains rebound by the impulses of the motion: see reboundOfMotion()
 
     bool hasGainedEnergy() const { return shockWork > shockResidualWork; }
@@ -79,6 +84,8 @@ inline SolveReport worstOf(const SolveReport& before, const SolveReport& next)
     worst.residualMax = std::max(before.residualMax, next.residualMax);
     worst.forceError = std::max(before.forceError, next.forceError);
     worst.stepsAtCap = std::max(before.stepsAtCap, next.stepsAtCap);
+    worst.impacts = std::max(before.impacts, next.impacts);
+    worst.stepsOfManyImpacts = std::max(before.stepsOfManyImpacts, next.stepsOfManyImpacts);
     if (before.reboundShare < next.reboundShare)
     {
         worst.shockWork = before.shockWork;

@@ -14,7 +14,7 @@ namespace nscd
 namespace
 {
 
-constexpr int patience = 5;   // steps in a row at the cap: a few are what an impact costs
+constexpr int patience = 5;   // steps in a row: a few are what an impact costs
 
 /// A warning whose text has its measure in the place of a %.3g.
 __attribute__((format(printf, 2, 0))) Warning measured(const char* kind, const char* text, double measure, const char* unit)
@@ -52,6 +52,17 @@ Warning reboundOfMotion(const SolveReport& report)
         "no impacts were found that obey Coulomb's and Newton's laws at all contacts: grains rebound by (1 + restitution) times the impulses that stop them, which "
         "takes energy, but what sticks rebounds along the surface too (laws are off by %.3g m/s in the solve that was given up); less friction or a smaller time step would do",
         report.residualRms, "m/s rms"
+    );
+}
+
+Warning mergedImpacts(const SolveReport& report)
+{
+    return measured
+    (
+        "merged impacts",
+        "grains meet others %.3g times a step, step after step, all at once and each once: impacts take less energy than they should, friction above all (a tenth at 0.25, a half at 1), "
+        "and beds in a gas come out too even; smaller steps of the grains would do (in a fluid: timeStep { maxGrainImpacts 0.1; })",
+        report.impacts, "of a grain in a step"
     );
 }
 
@@ -112,6 +123,7 @@ std::vector<Warning> warnings(const SolveReport& report)
     if (report.createdEnergy > 0.0) all.push_back(energyFromNowhere(report));
     if (!report.converged && !report.atCap && !report.isHeld && !report.isReboundOfMotion) all.push_back(forcesOff(report));
     if (report.stepsAtCap >= patience) all.push_back(alwaysAtCap(report));
+    if (report.stepsOfManyImpacts >= patience) all.push_back(mergedImpacts(report));
     return all;
 }
 

@@ -291,6 +291,8 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     if (self.maySleep()) self.letSleep(external, report);
     self.stepsAtCap = report.solve.atCap ? self.stepsAtCap + 1 : 0;
     report.solve.stepsAtCap = self.stepsAtCap;
+    self.stepsOfManyImpacts = report.solve.impacts > manyImpacts ? self.stepsOfManyImpacts + 1 : 0;
+    report.solve.stepsOfManyImpacts = self.stepsOfManyImpacts;
     self.lastReport = report;
     self.isStepBegun = false;
     return report;

@@ -60,6 +60,7 @@ struct GrainDynamics::Implementation
     AwakePart awakePart;          // holds the list of all while grains sleep
     double overlapAsleep = 0.0;   // largest of contacts when grains fell asleep last [m]
     int stepsAtCap = 0;           // in a row
+    int stepsOfManyImpacts = 0;   // in a row
     PackedContacts packing;
     std::vector<Vec3> freeVelocity;   // of the list's own bodies in the present solve [m/s]
     StepReport lastReport;

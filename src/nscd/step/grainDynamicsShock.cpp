@@ -56,6 +56,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     report.shockWork = judged.shockWork;
     report.shockResidualWork = judged.shockResidualWork;
     report.reboundShare = judged.reboundShare;
+    report.impacts = impactsOfAGrain(list);
     giveToGrains(forcesOnBodies(), list.grainOf, forces);
     if (sleep.any()) shockImpulses.keep(awakePart.impulses(list));
     // The next step starts from the impulses of the motion, not from those of the shock.

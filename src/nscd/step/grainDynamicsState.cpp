@@ -183,7 +183,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     Implementation& self = *self_;
     lastDeltaT = self.impulseDeltaT;
     self.wakeAll();
-    self.stepsAtCap = 0;
+    self.stepsAtCap = self.stepsOfManyImpacts = 0;
     self.packing.note(0);
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
@@ -207,7 +207,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.restored = byIndex(impulses, self.grains);
     self.impulseDeltaT = lastDeltaT;
     self.wakeAll();
-    self.stepsAtCap = 0;
+    self.stepsAtCap = self.stepsOfManyImpacts = 0;
     self.packing.note(0);
     self.list = ContactList();
     self.shockImpulses.clear();

@@ -100,6 +100,22 @@ ShockWork shockWork(const ContactList& list, const std::vector<Body>& freeBodies
     return {sums[0], residual*std::sqrt(sums[2]) + roundOff*sums[1]};
 }
 
+double impactsOfAGrain(const ContactList& list)
+{
+    const auto moves = [&](int body) { return list.bodies[body].invMass > 0.0 ? 1.0 : 0.0; };
+    double sums[2] = {0.0, 0.0};  // impacts, grains
+    forEachAwakeSlot(list, [&](std::size_t slot)
+    {
+        const ContactBlock& block = list.blocks[slot/blockLanes];
+        const int lane = slot % blockLanes;
+        const bool isImpact = block.bias[lane] < 0.0 && impulse(list, slot).dot(normal(list, slot)) > 0.0;
+        if (isImpact) sums[0] += moves(block.a[lane]) + moves(block.b[lane]);
+    });
+    for (int body = 0; body < list.owned(); ++body) sums[1] += moves(body);
+    list.halo.sum(sums, 2);
+    return sums[0]/std::max(sums[1], 1.0);
+}
+
 double limitRebound(ContactList& list, const std::vector<Body>& freeBodies, const Shock& inelastic)
 {
     // The work is a parabola of the share: three points of it on the way back, then its root.

@@ -33,6 +33,9 @@ struct Shock
 /// `residual`: Euclidean norm of the solve's natural map over its contacts [m/s]
 ShockWork shockWork(const ContactList& list, const std::vector<Body>& freeBodies, double residual);
 
+/// Contacts of the shock in the list that rebound, of a grain that is neither held nor asleep: mean over all ranks [-].
+double impactsOfAGrain(const ContactList& list);
+
 /// Where the rebound in the list has work > 0: goes back from it to `inelastic`, the solution without restitution (whose work is
 /// at most 0), as far as it takes for the work to be 0. All impulses and velocities go alike, so laws of momentum and the cone of
 /// friction stay; in effect every coefficient of restitution of the step is multiplied by the share returned.

@@ -160,6 +160,7 @@ TEST(ExampleFile, statesTheDefaults)
     }
     EXPECT_TRUE(example.forces.field.acceleration(1).isZero(0) && example.forces.field.forceDensity(1).isZero(0));
     EXPECT_EQ(example.time.maxGrainDisplacement, first.time.maxGrainDisplacement);
+    EXPECT_EQ(example.time.maxGrainImpacts, first.time.maxGrainImpacts);
     EXPECT_EQ(example.time.subCycles, first.time.subCycles);
     EXPECT_EQ(example.maxInitialOverlap, first.maxInitialOverlap);
     EXPECT_EQ(example.solvesFluid, first.solvesFluid);

@@ -67,7 +67,7 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
         "         overlapTolerance 4e-3; skin 5e-3; accelerate no; vectorPath portable; }"
         "voidFraction { method satellite; diffusion 3; minFluidFraction 0.3; }"
         "forces { drag { law DiFelice; weight backwardEuler; } pressureGradient off; viscous off; }"
-        "fluid none; feedback off; meanFlow (0 0 0.5); timeStep { maxGrainDisplacement 0.2; subCycles 3; }"
+        "fluid none; feedback off; meanFlow (0 0 0.5); timeStep { maxGrainDisplacement 0.2; maxGrainImpacts 0.4; subCycles 3; }"
     );
     EXPECT_EQ(p.materials.table.pair(1, 0).friction, 0.2);
     EXPECT_EQ(p.materials.table.pair(0, 1).restitution, 0.9);
@@ -104,6 +104,7 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_FALSE(read(first + "forces { drag { law none; } }").forces.isOn("drag"));
     EXPECT_EQ(p.meanFlowDict().get<vector>("target"), vector(0, 0, 0.5));
     EXPECT_EQ(p.time.maxGrainDisplacement, 0.2);
+    EXPECT_EQ(p.time.maxGrainImpacts, 0.4);
     EXPECT_EQ(p.time.subCycles, 3);
 }
 
@@ -270,6 +271,7 @@ TEST(GrainProperties, grainsSleepWhereItIsAskedFor)
     EXPECT_FALSE(cycled.contact.sleep);
     ASSERT_EQ(cycled.notes.size(), 1u);
     EXPECT_TRUE(holds(cycled.notes[0], {"stay awake", "subCycles"}));
+    EXPECT_FALSE(read(first + "solver { sleep on; } timeStep { maxGrainImpacts 0.3; }").contact.sleep);
     EXPECT_TRUE(read(first + "fluid none; solver { sleep on; } timeStep { subCycles 2; }").contact.sleep);
 }
 
@@ -352,6 +354,7 @@ const std::vector<Bad> bad =
     {first + "patches { outlet { type wall; material steele; } }", {"patches.outlet.material", "nearest: steel"}},
     {first + "patches { \"out.*\" { type wall; material glass; surfaceVelocity 1; } }", {"patches.out.*.surfaceVelocity", "single value"}},
     {first + "timeStep { subCycles 0; }", {"timeStep.subCycles", ">= 1"}},
+    {first + "timeStep { maxGrainImpacts -1; }", {"timeStep.maxGrainImpacts", ">= 0"}},
     {first + "parallel { maxLoadImbalance 1; }", {"parallel.maxLoadImbalance", "> 1"}}
 };
 

@@ -62,6 +62,7 @@ TEST(MovingMesh, goesOnAsIfItHadNotStopped)
 TEST(MovingMesh, refusesInWordsWhatDoesNotGoWithIt)
 {
     EXPECT_TRUE(isRefusedOnMovingMesh("timeStep { subCycles 2; }", {"`subCycles 1`"}));
+    EXPECT_TRUE(isRefusedOnMovingMesh("timeStep { maxGrainImpacts 0.3; }", {"no `maxGrainImpacts`"}));
     Files turning = swinging();
     turning["constant/MRFProperties"] = "rotor { cellZone rotor; origin (0 0 0); axis (0 0 1); omega 2; }";
     EXPECT_TRUE(isRefused(ProgramCase(turning), {"constant/dynamicMeshDict", "rotating frame"}));

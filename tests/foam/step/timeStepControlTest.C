@@ -50,6 +50,21 @@ TEST(TimeStepControl, keepsTheNarrowerLimit)
     EXPECT_NEAR(nextStep({2, 0, true}, 0.5, "adjustTimeStep yes;"), 0.5e-3, 1e-15);
 }
 
+TEST(SubCycles, areThoseAskedForOrWhatImpactsAskFor)
+{
+    GrainTimeSettings settings;
+    settings.subCycles = 3;
+    EXPECT_EQ(subCyclesOf(settings, 1e-3, 1e6), 3) << "no limit of impacts";
+    settings.maxGrainImpacts = 0.25;
+    EXPECT_EQ(subCyclesOf(settings, 1e-3, 0), 3);
+    EXPECT_EQ(subCyclesOf(settings, 1e-3, 1000), 4) << "one in a step";
+    EXPECT_EQ(subCyclesOf(settings, 1e-3, 1001), 5);
+    EXPECT_EQ(subCyclesOf(settings, 2e-3, 1000), 8);
+    EXPECT_EQ(subCyclesOf(settings, 1e-3, 1e9), 50);
+    EXPECT_EQ(impactRate(100, 0.5, 1e-3), 500);
+    EXPECT_EQ(impactRate(1000, 0.5, 1e-3), 900) << "a peak is forgotten within some steps";
+}
+
 TEST(TimeStepControl, endsAtTheLongestStepAllowed)
 {
     EXPECT_NEAR(nextStep({0, 0, true}, 0, "adjustTimeStep yes; maxDeltaT 1.1e-3;"), 1.1e-3, 1e-15);

@@ -130,6 +130,7 @@ GrainTimeSettings readTimeSettings(const CheckedEntries& top)
     const CheckedEntries given(dict);
     GrainTimeSettings settings;
     settings.maxGrainDisplacement = given.number("maxGrainDisplacement", input::atLeast(0), settings.maxGrainDisplacement);
+    settings.maxGrainImpacts = given.number("maxGrainImpacts", input::atLeast(0), settings.maxGrainImpacts);
     settings.subCycles = label(given.integer("subCycles", 1, settings.subCycles));
     given.finish();
     return settings;
@@ -191,7 +192,7 @@ GrainProperties readAll(const dictionary& dict, input::Surroundings around)
     properties.maxLoadImbalance = readMaxLoadImbalance(top, properties.maxLoadImbalance);
     readCoupling(top, around, properties);
     top.finish();
-    if (properties.solvesFluid && properties.time.subCycles > 1) keepAwake(properties, "with subCycles the predicted step is longer than theirs");
+    if (properties.solvesFluid && properties.time.mayCycle()) keepAwake(properties, "with subCycles the predicted step is longer than theirs");
     return properties;
 }
 

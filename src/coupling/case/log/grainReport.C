@@ -62,7 +62,9 @@ const Column columns[] =
     {"entered", "1", [](const StepRow& r) { return double(r.entries.entered); }},
     {"enteredMass", "kg", [](const StepRow& r) { return double(r.entries.enteredMass); }},
     {"waiting", "1", [](const StepRow& r) { return double(r.entries.waiting()); }},
-    {"waitingMass", "kg", [](const StepRow& r) { return double(r.entries.waitingMass()); }}
+    {"waitingMass", "kg", [](const StepRow& r) { return double(r.entries.waitingMass()); }},
+    {"subCycles", "1", [](const StepRow& r) { return double(r.subCycles); }},
+    {"impacts", "1", [](const StepRow& r) { return double(r.report.solve.impacts); }}
 };
 
 const Column heatColumns[] =

@@ -174,6 +174,10 @@ void ProgressLog::step(const StepRow& row, const FluidSummary& fluid)
             static_cast<long long>(row.grains), solve.contacts, solve.sweeps, outcome(solve),
             solve.residualRms, solve.residualMax, solve.forceError, row.report.overlapMax, row.report.overlapUncorrected
         ).c_str() << nl;
+    if (row.subCycles > 1 || solve.impacts > 0)
+    {
+        os_ << formatted("  grain steps: %d, impacts with restitution <= %.2g of a grain in each", int(row.subCycles), solve.impacts).c_str() << nl;
+    }
     if (solve.newtonSteps > 0) os_ << formatted("  direct method: %d Newton steps", solve.newtonSteps).c_str() << nl;
     if (row.realGrains > 0) os_ << formatted("  %lld parcels of %.12g real grains", static_cast<long long>(row.grains), row.realGrains).c_str() << nl;
     if (row.report.asleep > 0) os_ << formatted("  %zu grains asleep", row.report.asleep).c_str() << nl;

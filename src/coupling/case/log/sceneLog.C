@@ -88,6 +88,12 @@ string describeFluid(const GrainProperties& properties, const nscd::GrainShape& 
     );
 }
 
+string describeSteps(const GrainTimeSettings& time)
+{
+    const string impacts = time.maxGrainImpacts > 0 ? formatted(", and at most %.3g impacts of a grain in each, in the mean", time.maxGrainImpacts) : string();
+    return formatted("at least %d of the grains in one of the fluid%s", int(time.subCycles), impacts.c_str());
+}
+
 /// Forces that the fluid's equation has by its factor alpha, and the grains of this case do not; empty: none.
 string forcesOfFluidAlone(const GrainProperties& properties)
 {
@@ -128,6 +134,7 @@ void logScene
         "%s, tolerance %.3g, at most %d sweeps, %s", contact.solver.c_str(), contact.tolerance, contact.maxSweeps,
         nscd::describeWork(properties.materials.table, scene.space.shape, contact).c_str()
     ));
+    if (properties.time.mayCycle()) line("steps", describeSteps(properties.time));
     line("fluid", describeFluid(properties, scene.space.shape));
     if (properties.heat) line("heat", formatted("law %s, no heat of friction", properties.heat->law.c_str()));
     const string missing = forcesOfFluidAlone(properties);

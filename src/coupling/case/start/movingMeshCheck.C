@@ -60,7 +60,7 @@ void checkMovingMesh(const GrainProperties& properties, const polyMesh& mesh)
     refuseUpdatesNowAndThen(dict);
     if (properties.heat) refuse("on which temperatures are not followed", "no `heat`");
     if (properties.holdsMeanFlow) refuse("on which a mean flow is not held", "no `meanFlow`");
-    if (properties.time.subCycles > 1) refuse("whose walls are known at the ends of the fluid's steps alone", "`subCycles 1`");
+    if (properties.time.mayCycle()) refuse("whose walls are known at the ends of the fluid's steps alone", "`subCycles 1` and no `maxGrainImpacts`");
     if (hasRotatingZones(mesh)) refuse("beside a rotating frame", "no constant/MRFProperties");
 }
 

@@ -72,6 +72,53 @@ TEST(Shock, threeTouchingBallsFollowMoreauAndNewton)
     }
 }
 
+TEST(Shock, countsTheImpactsOfAGrain)
+{
+    const auto impacts = [](Scene scene, double speedScale = 0.0)
+    {
+        auto dynamics = scene.build();
+        return step(dynamics, Vec3(0, 0, -speedScale), 1e-3).solve.impacts;
+    };
+    EXPECT_EQ(impacts(row(2, 0.0, 0.5)), 1.0) << "both have one";
+    EXPECT_EQ(impacts(row(2, 0.0, 0.0)), 0.0) << "no restitution";
+    EXPECT_EQ(impacts(row(2, 1.0, 0.5)), 0.0) << "too far off";
+    EXPECT_EQ(impacts(row(4, 1e-4, 0.5)), 0.5) << "two of four: what is pushed within the step meets the next in the next one";
+    Scene floor = row(1, 0.0, 0.5);
+    floor.addPlane(Vec3(radius, 0, 0), -Vec3::UnitX());
+    EXPECT_EQ(impacts(floor), 1.0);
+    Scene held = row(2, 0.0, 0.5);
+    held.grains.isFixed[1] = true;
+    EXPECT_EQ(impacts(held), 1.0) << "of the one that moves";
+    Scene resting(3, 0.5, 0.5);
+    resting.addGrain(Vec3(0, 0, radius), radius);
+    resting.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    EXPECT_EQ(impacts(resting, 9.81), 0.0) << "what lies does not meet";
+}
+
+// 64 balls fly about, 0.05 diameters apart, and meet many in each step.
+TEST(Shock, warnsWhereImpactsMeetWithinAStep)
+{
+    Scene scene(3, 0.0, 0.9);
+    std::mt19937 random(3);
+    std::normal_distribution<double> speed(0.0, 1.0);
+    for (int k = 0; k < 64; ++k)
+    {
+        scene.addGrain(2.1*radius*Vec3(k % 4, k/4 % 4, k/16), radius);
+        scene.grains.velocity.back() = Vec3(speed(random), speed(random), speed(random));
+    }
+    scene.box.length = Vec3::Constant(4*2.1*radius);
+    for (const double deltaT : {4e-3, 2e-5})
+    {
+        auto dynamics = scene.build();
+        for (int k = 1; k <= 8; ++k)
+        {
+            const nscd::SolveReport report = step(dynamics, Vec3::Zero(), deltaT).solve;
+            EXPECT_EQ(report.stepsOfManyImpacts, deltaT > 1e-3 ? k : 0) << report.impacts;
+            EXPECT_EQ(nscd::warning(report).find("meet others") != std::string::npos, deltaT > 1e-3 && k >= 5);
+        }
+    }
+}
+
 TEST(Shock, threeBallsWithGapsCollideOneAfterAnother)
 {
     auto dynamics = row(3, 2e-3*radius, 1.0).build();
