@@ -74,7 +74,7 @@ CASES = {
         Case("C16", "submerged weight", "weight", missing="a large grain that floats in a fluidized bed"),
         Case("C17", "ramp of the inflow", "published curve", missing="all"),
         Case("C18", "fluidized bed, Mueller's", "experiment", "sediFoam: rms 0.027, 0.057 in alpha, 0.036 m/s",
-             "all; `muellerBed` (on demand) judges it, and misses two of four bars"),
+             "the third height and the other speed; other laws and coefficients: src/coupling/measured.md"),
         Case("C19", "fluidized bed, Goldschmidt's", "DPMFoam", missing="all; tutorials/coupled/fluidizedBed and benchmark/run dpmfoam have it"),
         Case("C20", "cylinder bed, Lethe's", "weight", missing="all"),
         Case("C21", "bed of van Wachem", "weight", missing="all"),
