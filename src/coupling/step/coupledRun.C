@@ -199,7 +199,7 @@ void CoupledRun::advanceGrains()
     if (access_.areContactsWanted()) access_.recordContacts(::nscd::shownContacts(dynamics_->grains(), dynamics_->contacts(), deltaT));
     if (heat_) heat_->conduct(*dynamics_, deltaT, time_.deltaTValue());
     reach_.displacement = step_.grainReport.maxDisplacement*subCycles;
-    reach_.impactRate = impactRate(reach_.impactRate, impacts, time_.deltaTValue());
+    reach_.impactRate = expectedImpactRate(reach_.impactRate, impacts, time_.deltaTValue());
     lastContactForce_ = bodies_.sums(dynamics_->contactForce());
     if (hasFluid()) recordFluidForce();
     if (hasFluid() && feedsBack()) settleDebts();

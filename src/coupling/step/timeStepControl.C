@@ -15,7 +15,6 @@ namespace
 {
 
 constexpr scalar largestGrowth = 1.2;
-constexpr scalar mostForImpacts = 50;   // grain steps in a fluid step
 constexpr scalar keptOfRate = 0.9;      // from step to step, of a rate of impacts that has gone down
 
 StepLimits readLimits(const Time& time, scalar maxDisplacement)
@@ -43,10 +42,11 @@ void adjustTimeStep(Time& time, const StepReach& last, scalar maxDisplacement)
 label subCyclesOf(const GrainTimeSettings& settings, scalar deltaT, scalar impactRate)
 {
     if (!(settings.maxGrainImpacts > 0)) return settings.subCycles;
-    return max(settings.subCycles, label(std::ceil(min(mostForImpacts, deltaT*impactRate/settings.maxGrainImpacts))));
+    const scalar wanted = std::ceil(deltaT*impactRate/settings.maxGrainImpacts);
+    return max(settings.subCycles, label(min(scalar(GrainTimeSettings::mostForImpacts), wanted)));
 }
 
-scalar impactRate(scalar before, scalar impacts, scalar deltaT)
+scalar expectedImpactRate(scalar before, scalar impacts, scalar deltaT)
 {
     return max(impacts/deltaT, keptOfRate*before);
 }

@@ -61,8 +61,8 @@ TEST(SubCycles, areThoseAskedForOrWhatImpactsAskFor)
     EXPECT_EQ(subCyclesOf(settings, 1e-3, 1001), 5);
     EXPECT_EQ(subCyclesOf(settings, 2e-3, 1000), 8);
     EXPECT_EQ(subCyclesOf(settings, 1e-3, 1e9), 50);
-    EXPECT_EQ(impactRate(100, 0.5, 1e-3), 500);
-    EXPECT_EQ(impactRate(1000, 0.5, 1e-3), 900) << "a peak is forgotten within some steps";
+    EXPECT_EQ(expectedImpactRate(100, 0.5, 1e-3), 500);
+    EXPECT_EQ(expectedImpactRate(1000, 0.5, 1e-3), 900) << "a peak is forgotten within some steps";
 }
 
 TEST(TimeStepControl, endsAtTheLongestStepAllowed)

@@ -90,8 +90,10 @@ string describeFluid(const GrainProperties& properties, const nscd::GrainShape& 
 
 string describeSteps(const GrainTimeSettings& time)
 {
-    const string impacts = time.maxGrainImpacts > 0 ? formatted(", and at most %.3g impacts of a grain in each, in the mean", time.maxGrainImpacts) : string();
-    return formatted("at least %d of the grains in one of the fluid%s", int(time.subCycles), impacts.c_str());
+    const string atLeast = formatted("at least %d of the grains in one of the fluid", int(time.subCycles));
+    if (!(time.maxGrainImpacts > 0)) return atLeast;
+    const int most = GrainTimeSettings::mostForImpacts;
+    return atLeast + formatted(", and at most %.3g impacts of a grain in each, in the mean, as far as %d steps go", time.maxGrainImpacts, most);
 }
 
 /// Forces that the fluid's equation has by its factor alpha, and the grains of this case do not; empty: none.

@@ -74,10 +74,10 @@ TEST(Shock, threeTouchingBallsFollowMoreauAndNewton)
 
 TEST(Shock, countsTheImpactsOfAGrain)
 {
-    const auto impacts = [](Scene scene, double speedScale = 0.0)
+    const auto impacts = [](Scene scene, double g = 0.0)
     {
         auto dynamics = scene.build();
-        return step(dynamics, Vec3(0, 0, -speedScale), 1e-3).solve.impacts;
+        return step(dynamics, Vec3(0, 0, -g), 1e-3).solve.impacts;
     };
     EXPECT_EQ(impacts(row(2, 0.0, 0.5)), 1.0) << "both have one";
     EXPECT_EQ(impacts(row(2, 0.0, 0.0)), 0.0) << "no restitution";
