@@ -15,7 +15,6 @@ NAME = "W"
 BARS = (10, 3, 1)       # percent
 # Columns of tables that do not have `case`, `code`, `errorPercent`: case, code, error and its factor to percent.
 OWN = {
-    "W2": (None, lambda row: "nscdDEMFoam", "baseForceError", 100),
     "W5": ("grain", lambda row: "nscdDEMFoam, " + row["weight"], "maxError", 100)
 }
 # Codes that are no runs to be scored: references, variants of the scene.

@@ -153,4 +153,5 @@ def main():
     evaluate(options)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
-"""9240 spheres of 1.2 mm that drop into a box of 44 x 10 mm: the case of the benchmarks W2 and K2."""
+"""9240 spheres of 1.2 mm that drop into a box of 44 x 10 mm: the case of the benchmark K2."""
 
 import math
 
