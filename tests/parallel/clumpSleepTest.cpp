@@ -18,13 +18,6 @@ namespace
 constexpr double deltaT = sleepDeltaT, r = memberRadius;
 constexpr std::size_t all = stackedGrains, second = stackedGrains - firstStack;
 
-int ranks()
-{
-    int size = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
-    return size;
-}
-
 /// What lies on the cubes on a rank of its own; and clumps by their first members' identities, 0, 8, 10, 18, 19.
 const std::vector<OwnerOf>& cuts()
 {

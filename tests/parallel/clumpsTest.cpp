@@ -15,13 +15,6 @@ namespace
 
 constexpr double deltaT = 1e-3, cell = 5.0*memberRadius;
 
-int ranks()
-{
-    int size = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
-    return size;
-}
-
 /// Slabs along x and z, and ranks that are all mixed up.
 std::vector<OwnerOf> cuts()
 {

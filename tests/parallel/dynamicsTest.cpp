@@ -17,13 +17,6 @@ namespace
 
 constexpr double deltaT = 1e-3, radius = 0.01, friction = 0.5;
 
-int ranks()
-{
-    int size = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
-    return size;
-}
-
 int cell(double x, double width) { return std::max(0, static_cast<int>(std::floor(x/width))); }
 
 struct Cut

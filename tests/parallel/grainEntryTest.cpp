@@ -15,13 +15,6 @@ namespace
 
 constexpr double top = 0.15;   // of the space that ranks know, below that of the regions
 
-int ranks()
-{
-    int size = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
-    return size;
-}
-
 /// The slab along x that a place is in, of a tenth of a meter.
 int slabOf(const Vec3& x) { return std::min(ranks() - 1, static_cast<int>(10.0*x[0]*ranks())); }
 

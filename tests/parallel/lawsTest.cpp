@@ -15,13 +15,6 @@ namespace
 
 constexpr double radius = 0.01, deltaT = 1e-3;
 
-int ranks()
-{
-    int size = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
-    return size;
-}
-
 std::vector<OwnerOf> cuts()
 {
     const double spacing = 2.3*radius;

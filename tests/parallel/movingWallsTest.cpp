@@ -34,9 +34,7 @@ TEST(Ranks, aDrumTurnsTheSameOnAnyNumberOfRanks)
     auto serial = scene.build(fine());
     for (int k = 0; k < steps; ++k) step(serial, scene.g, deltaT);
 
-    int ranks = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    RankedScene run(scene, fine(), [&](const Vec3& x, std::int64_t) { return std::min(ranks - 1, static_cast<int>((x[0] + 0.05)/0.1*ranks)); });
+    RankedScene run(scene, fine(), [](const Vec3& x, std::int64_t) { return std::min(ranks() - 1, static_cast<int>((x[0] + 0.05)/0.1*ranks())); });
     for (int k = 0; k < steps; ++k) step(run.dynamics(), scene.g, deltaT);
 
     const nscd::Grains all = run.gatherGrains();

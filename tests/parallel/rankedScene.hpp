@@ -18,11 +18,18 @@ namespace scenes
 
 using OwnerOf = std::function<int(const Vec3& position, std::int64_t id)>;
 
+/// How many take part.
+inline int ranks()
+{
+    int size = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    return size;
+}
+
 /// All ranks' values, one rank behind the other.
 inline std::vector<double> gather(const std::vector<double>& here)
 {
-    int size = 1, count = static_cast<int>(here.size());
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    const int size = ranks(), count = static_cast<int>(here.size());
     std::vector<int> counts(size), starts(size, 0);
     MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
     for (int k = 1; k < size; ++k) starts[k] = starts[k - 1] + counts[k - 1];

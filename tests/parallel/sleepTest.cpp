@@ -16,13 +16,6 @@ namespace
 constexpr double deltaT = sleepDeltaT, radius = pyramidRadius;
 constexpr int top = pyramidTop, roller = pyramidRoller;   // identities
 
-int ranks()
-{
-    int size = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &size);
-    return size;
-}
-
 const std::vector<OwnerOf>& cuts()
 {
     static const std::vector<OwnerOf> all
