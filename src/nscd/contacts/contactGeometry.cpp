@@ -16,9 +16,6 @@ namespace nscd
 namespace
 {
 
-/// A wall whose plane lies further behind the center than this share of the radius is seen from its back: no contact.
-constexpr double backSide = -0.5;
-
 void refuseCoincident(const ContactList& list, int a, int b)
 {
     throw invalidValue

@@ -77,6 +77,9 @@ struct Walls
     bool anyMotion() const;
 };
 
+/// A wall of one side whose plane lies further behind the center than this share of the radius is seen from its back: no contact.
+constexpr double backSide = -0.5;
+
 /// The point of a region nearest to a sphere's center.
 struct WallProximity
 {

@@ -13,9 +13,6 @@ namespace nscd
 namespace
 {
 
-/// As in contactGeometry: a plane further behind the center than this share of the radius is seen from its back.
-constexpr double backSide = -0.5;
-
 /// When the sphere touches a plane that is `height` away and approached by `sinking`.
 double timeAtPlane(double height, double sinking, double radius) { return height <= radius ? 0.0 : sinking > 0.0 ? (height - radius)/sinking : 2.0; }
 
@@ -73,14 +70,13 @@ Part partAt(const Eigen::AlignedBox3d& box, const Way& way)
     return part;
 }
 
-/// Whether a region's normal lies along an axis that a scene in the plane does not have; -1: it has all.
+} // namespace
+
 bool liesAlong(const WallRegion& region, int axis)
 {
     constexpr double facing = 1e-3;   // as in contactGeometry: less than that is left of the normal
     return axis >= 0 && (region.normal - region.normal[axis]*Vec3::Unit(axis)).squaredNorm() < facing*facing;
 }
-
-} // namespace
 
 double timeToOrigin(const Vec3& x, const Vec3& d, double radius)
 {

@@ -41,6 +41,9 @@ void meet(const WallRegion& region, int number, const Way& way, WallHit& first);
 /// Cost: a look-up for each stretch as long as a grid cell, within the group's bounds and up to the hit.
 WallHit firstHit(const Walls& walls, const WallSearch& search, int group, const Way& way, int emptyAxis);
 
+/// Whether a region's normal lies along an axis that a scene in the plane does not have; -1: it has all.
+bool liesAlong(const WallRegion& region, int axis);
+
 /// The time at which a point x + t d comes to within a radius of the origin; 2 where it does not, or starts there.
 double timeToOrigin(const Vec3& x, const Vec3& d, double radius);
 

@@ -7,6 +7,7 @@
 #include "nscd/base/invalidValue.hpp"
 #include "nscd/contacts/contactGeometry.hpp"
 #include "nscd/step/generalCorrection.hpp"
+#include "nscd/step/missedWalls.hpp"
 #include "nscd/step/overlapCorrection.hpp"
 #include "nscd/step/sweptPairs.hpp"
 
@@ -206,7 +207,7 @@ OverlapStatistics GrainDynamics::Implementation::placeContacts()
 void GrainDynamics::Implementation::correctPositions(StepReport& report)
 {
     OverlapStatistics overlap = placeContacts();
-    report.overlapUncorrected = std::max(overlap.deepest, 0.0)/diameter;
+    report.overlapUncorrected = std::max({overlap.deepest, deepestOfRanks(depthInMissedWalls), 0.0})/diameter;
     const double tolerance = settings.overlapTolerance*diameter;
     if (overlap.deepest > tolerance)
     {
@@ -217,7 +218,8 @@ void GrainDynamics::Implementation::correctPositions(StepReport& report)
         for (int body = 0; body < list.owned(); ++body) grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
         overlap = measureOverlap(list);
     }
-    report.overlapMax = std::max(overlap.max, sleep.any() ? overlapAsleep : 0.0)/diameter;
+    const double inMissedWalls = deepestOfRanks(deepestInMissedWalls(list, wallsOfStep(), atMissedWalls));
+    report.overlapMax = std::max({overlap.max, inMissedWalls, sleep.any() ? overlapAsleep : 0.0})/diameter;
     report.overlapMean = overlap.mean/diameter;
 }
 

@@ -46,7 +46,8 @@ struct GrainDynamics::Implementation
     std::unique_ptr<WallSearch> wallSearch;
     bool areWallsOutlined = false;     // any
     bool isAnyFast = false;            // of grains, on any rank: outlined walls on their ways are looked for
-    bool haveMissedWalls = false;      // the list lacks walls that grains have come to
+    std::vector<int> atMissedWalls;    // own bodies that have come to walls which the list lacks
+    double depthInMissedWalls = 0.0;   // of theirs, before they were pushed out [m]
     std::vector<double> reachToMany;   // of the list
 
     ContactList list;             // while grains sleep: the part of it that is awake
@@ -90,11 +91,12 @@ struct GrainDynamics::Implementation
 
     void measureGrains();
     void makeWallSearch();
-    bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list) && !haveMissedWalls); }
+    bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list) && atMissedWalls.empty()); }
     double reachAtRest() const { return rangeOfLaws(materials) + 0.5*settings.skin*diameter; }
     WallsOfStep wallsOfStep() const;
     void lookForFast(const ListPlan& plan, const std::vector<double>& reach, const std::vector<WallReach>& wallReach);
     double moveBodies(StepReport& report);
+    double deepestOfRanks(double depthInWalls) const { return isAnyFast ? list.halo.max(depthInWalls) : 0.0; }
     void clearForces();
     /// `margin`: 1 where grains can be expected to move with these velocities, else what they may exceed them by.
     void rebuildList(const std::vector<Vec3>& velocity, double margin);

@@ -7,6 +7,7 @@
 
 #include "nscd/base/formattedText.hpp"
 #include "nscd/base/invalidValue.hpp"
+#include "nscd/step/missedWalls.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +71,7 @@ void GrainDynamics::Implementation::lookForFast(const ListPlan& plan, const std:
     double isAny = areAnyFast(grains, reach, wallReach) ? 1.0 : 0.0;
     exchange->max(&isAny, 1);
     isAnyFast = isAny > 0.0;
-    haveMissedWalls = false;
+    atMissedWalls.clear();
     reachToMany = isAnyFast ? reachesToMany(grains, *wallSearch, plan.speed, deltaT, reachAtRest()) : std::vector<double>();
 }
 
@@ -84,9 +85,13 @@ double GrainDynamics::Implementation::moveBodies(StepReport& report)
         list.position[stop.body] += stop.way - deltaT*Vec3(list.bodies[stop.body].v);
         grains.position[list.grainOf[stop.body]] = box.wrap(list.position[stop.body]);
     }
-    list.halo.give(list.position);
     report.stoppedOnWay = static_cast<std::size_t>(list.halo.sum(static_cast<double>(stops.size())));
-    haveMissedWalls = areWallsMissed(list, wallsOfStep());
+    const WallsOfStep walls = wallsOfStep();
+    atMissedWalls = bodiesAtMissedWalls(list, walls);
+    depthInMissedWalls = deepestInMissedWalls(list, walls, atMissedWalls);
+    pushOutOfMissedWalls(list, walls, atMissedWalls, 0.1*settings.overlapTolerance*diameter);
+    for (int body : atMissedWalls) grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
+    list.halo.give(list.position);
     return displacement;
 }
 

@@ -5,6 +5,7 @@
 #include "nscd/step/stopsOnWay.hpp"
 
 #include "nscd/search/wallHit.hpp"
+#include "nscd/step/missedWalls.hpp"
 #include "nscd/step/stopQueue.hpp"
 #include "nscd/step/stopsBetweenRanks.hpp"
 
@@ -23,43 +24,6 @@ double largestReach(const std::vector<WallReach>& wallReach)
     double largest = 0.0;
     for (const WallReach& wall : wallReach) largest = std::max(largest, wall.distance);
     return largest;
-}
-
-/// A group of outlined walls now and at the end of the step.
-struct GroupMotion
-{
-    int group;
-    bool isMoving;
-    WallPose now, next;
-    double way;           ///< of any of its points [m]
-    double wayFromBuild;  ///< since the list was built, to the end of the step [m]
-
-    GroupMotion(const ContactList& list, const WallsOfStep& walls, int number)
-    :
-        group(number),
-        isMoving(walls.search.patchOf(number) >= 0),
-        now(isMoving ? walls.scene.walls.patches[walls.search.patchOf(number)].pose : WallPose::Identity()),
-        next(isMoving ? walls.moving.next(walls.search.patchOf(number)) : WallPose::Identity()),
-        way(isMoving ? largestDisplacement(now, next, walls.search.outlined(number)) : 0.0),
-        wayFromBuild(0.0)
-    {
-        // While grains sleep nothing moves.
-        if (!isMoving || list.wallReach.empty()) return;
-        wayFromBuild = largestDisplacement(list.wallReach[walls.search.patchOf(number)].poseAtBuild, next, walls.search.outlined(number));
-    }
-
-    Vec3 before(const Vec3& x) const { return isMoving ? Vec3(now.linear().transpose()*(x - now.translation())) : x; }
-    Vec3 after(const Vec3& x) const { return isMoving ? Vec3(next.linear().transpose()*(x - next.translation())) : x; }
-};
-
-std::vector<GroupMotion> motionsOf(const ContactList& list, const WallsOfStep& walls)
-{
-    std::vector<GroupMotion> motions;
-    for (int group = 0; group < walls.search.groups(); ++group)
-    {
-        if (!walls.search.outlined(group).isEmpty()) motions.emplace_back(list, walls, group);
-    }
-    return motions;
 }
 
 /// Of a grain [m]: more than small ones have would let them come through holes.
@@ -165,33 +129,6 @@ private:
     const std::vector<GroupMotion>& motions_;
 };
 
-bool seesOnlyNear(const ContactList& list, const WallsOfStep& walls, int body)
-{
-    return !walls.reachToMany.empty() && std::isfinite(walls.reachToMany[list.grainOf[body]]);
-}
-
-/// How far a grain that is `way` from where it is may have got, in a step, towards walls since these were looked for.
-double wayFromBuild(const ContactList& list, const std::vector<GroupMotion>& motions, int body, const Vec3& way)
-{
-    double ofWalls = 0.0;
-    for (const GroupMotion& motion : motions) ofWalls = std::max(ofWalls, motion.wayFromBuild);
-    return (list.position[body] + way - list.positionAtBuild[body]).norm() + ofWalls;
-}
-
-/// Whether outlined walls of groups of many may be within a distance of a place at the end of the step.
-bool isAnyNear(const WallsOfStep& walls, const std::vector<GroupMotion>& motions, const Vec3& x, double distance)
-{
-    std::vector<int> regions;
-    for (const GroupMotion& motion : motions)
-    {
-        if (!walls.search.hasMany(motion.group)) continue;
-        const Vec3 center = motion.after(x), margin = Vec3::Constant(distance);
-        walls.search.findInBox(motion.group, {Vec3(center - margin), Vec3(center + margin)}, regions);
-        if (!regions.empty()) return true;
-    }
-    return false;
-}
-
 } // namespace
 
 bool areAnyFast(const Grains& grains, const std::vector<double>& reach, const std::vector<WallReach>& wallReach)
@@ -233,7 +170,7 @@ std::vector<Stop> findStops(const ContactList& list, const WallsOfStep& walls, d
         const Vec3 way = deltaT*Vec3(list.bodies[body].v);
         const double deepest = deepestInWalls*list.radius[body], left = deepest - wayOfWalls;
         const bool isFast = left < 0.0 || way.squaredNorm() > left*left;
-        const bool isBlind = seesOnlyNear(list, walls, body) && wayFromBuild(list, motions, body, way) > deepest;
+        const bool isBlind = mayMissWalls(list, walls, motions, body, way);
         if (!(isFast || isBlind) || !fliesAlone(list, body)) continue;
         const WallOnWay first = lookout.firstOnWay(list.position[body], way, list.radius[body]);
         if (first.time <= 1.0) stops.push_back({body, first.time, first.held, first.group});
@@ -252,19 +189,6 @@ std::vector<Stop> findStops(const ContactList& list, const WallsOfStep& walls, d
         if (emptyAxis >= 0) stop.way[emptyAxis] = 0.0;
     }
     return stops;
-}
-
-bool areWallsMissed(const ContactList& list, const WallsOfStep& walls)
-{
-    if (walls.reachToMany.empty()) return false;
-    const std::vector<GroupMotion> motions = motionsOf(list, walls);
-    for (int body = 0; body < list.owned(); ++body)
-    {
-        const double radius = list.radius[body], deepest = deepestInWalls*radius;
-        if (!seesOnlyNear(list, walls, body) || wayFromBuild(list, motions, body, Vec3::Zero()) <= deepest) continue;
-        if (isAnyNear(walls, motions, walls.scene.box.wrap(list.position[body]), radius + walls.reachAtRest)) return true;
-    }
-    return false;
 }
 
 } // namespace nscd

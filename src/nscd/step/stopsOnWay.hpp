@@ -5,28 +5,11 @@
 // Tested by tests/unit/nscd/step/stopsOnWayTest.cpp
 #pragma once
 
-#include "nscd/contacts/contactList.hpp"
-#include "nscd/contacts/movingWalls.hpp"
-#include "nscd/search/wallSearch.hpp"
+#include "nscd/step/groupMotion.hpp"
 #include "nscd/step/waysOfStep.hpp"
 
 namespace nscd
 {
-
-/// In a step a grain may get this share of its radius into walls, all the same whether it is slow or fast: less than what takes its center to
-/// the other side. The next step has the contact.
-constexpr double deepestInWalls = 0.5;
-
-/// Outlined walls over a step, and grains that may run into them.
-struct WallsOfStep
-{
-    Scene scene;
-    const WallSearch& search;
-    const MovingWalls& moving;
-    const std::vector<double>& reachToMany;  ///< as of reachesToMany()
-    double tolerance;                        ///< depth of contacts that are no overlap [m]
-    double reachAtRest;                      ///< of grains [m]
-};
 
 /// Whether any grain may go further than that share relative to walls before the list is stale; on this rank.
 bool areAnyFast(const Grains& grains, const std::vector<double>& reach, const std::vector<WallReach>& wallReach);
@@ -38,8 +21,5 @@ std::vector<double> reachesToMany(const Grains& grains, const WallSearch& search
 
 /// The own bodies that stop in this step, with their present velocities. All ranks together.
 std::vector<Stop> findStops(const ContactList& list, const WallsOfStep& walls, double deltaT);
-
-/// Whether a grain that sees only near walls has come to some that the list may not have.
-bool areWallsMissed(const ContactList& list, const WallsOfStep& walls);
 
 } // namespace nscd

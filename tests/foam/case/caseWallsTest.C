@@ -7,12 +7,14 @@
 #include "coupling/base/vectorConversion.H"
 #include "coupling/case/walls/coplanarRegions.H"
 #include "coupling/case/walls/meshWalls.H"
+#include "coupling/mapping/mesh/cellLocator.H"
 
 #include "primitivePatch.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>
 #include <map>
+#include <random>
 #include <tuple>
 
 using namespace Foam;
@@ -227,22 +229,57 @@ TEST(MeshWalls, aCylinderKeepsItsFacetsAndItsCapsAreWhole)
     EXPECT_NEAR(inwardWinding(regions, Vec3(0.3, -0.4, 3.1)), 0, 1e-12);
 }
 
-TEST(MeshWalls, twistedFacesBecomeTrianglesThatCloseTheSurface)
+namespace
+{
+
+point twisted(const point& x)
+{
+    const scalar angle = 0.4*x.z();
+    const scalar a = x.x() - 0.5, b = x.y() - 0.5;
+    return point(a*Foam::cos(angle) - b*Foam::sin(angle), a*Foam::sin(angle) + b*Foam::cos(angle), x.z());
+}
+
+BoxMesh twistedBox()
 {
     BoxMeshSettings settings;
     settings.cells = labelVector(3, 3, 3);
-    settings.movePoint = [](const point& x)
-    {
-        const scalar angle = 0.4*x.z();
-        const scalar a = x.x() - 0.5, b = x.y() - 0.5;
-        return point(a*Foam::cos(angle) - b*Foam::sin(angle), a*Foam::sin(angle) + b*Foam::cos(angle), x.z());
-    };
-    BoxMesh box(settings);
+    settings.movePoint = twisted;
+    return BoxMesh(settings);
+}
+
+} // namespace
+
+TEST(MeshWalls, twistedFacesBecomeTrianglesThatCloseTheSurface)
+{
+    BoxMesh box = twistedBox();
     const nscd::Walls walls = wallsOf(box);
-    // The four twisted sides: 9 faces of 2 triangles each; top and bottom stay flat.
-    EXPECT_EQ(walls.regions.size(), 4u*18 + 2);
+    // The four twisted sides: 9 faces of 4 triangles each; top and bottom stay flat.
+    EXPECT_EQ(walls.regions.size(), 4u*36 + 2);
     EXPECT_NEAR(inwardWinding(walls.regions, Vec3(0.1, 0.1, 0.5)), 1, 1e-12);
     EXPECT_NEAR(inwardWinding(walls.regions, Vec3(0.9, 0.1, 0.5)), 0, 1e-12);
+}
+
+TEST(MeshWalls, whatTwistedWallsHoldIsInACell)
+{
+    BoxMesh box = twistedBox();
+    const nscd::Walls walls = wallsOf(box);
+    const MappingMesh mappingMesh = makeMappingMesh(box.mesh());
+    const CellLocator locator(mappingMesh, box.mesh());
+    std::mt19937 generator(1);
+    std::uniform_real_distribution<double> random(0, 1);
+    int held = 0, missed = 0;
+    const int number = 3000;
+    for (int k = 0; k < number; ++k)
+    {
+        // About a side, whose faces are twisted by 5e-3.
+        const Vec3 x = toVec3(twisted({1 + 1e-2*(random(generator) - 0.5), random(generator), random(generator)}));
+        const bool isHeld = inwardWinding(walls.regions, x) > 0.5;
+        held += isHeld;
+        missed += isHeld && locator.find(x, -1) < 0;
+    }
+    EXPECT_EQ(missed, 0);
+    EXPECT_GT(held, number/4);
+    EXPECT_LT(held, number*3/4);
 }
 
 TEST(MeshWalls, aSlantedWallIsOneRegionInSpiteOfTenDigitPoints)

@@ -115,16 +115,17 @@ nscd::WallRegion makeRegion(const pointField& points, const std::vector<Directed
     return region;
 }
 
-void addTriangles(const primitivePatch& patch, label facei, int wallPatch, std::vector<nscd::WallRegion>& regions)
+/// Triangles about the face's center, as the mapping has it: a center of a grain that such walls hold is in a cell of the mesh.
+void addFan(const primitivePatch& patch, label facei, int wallPatch, std::vector<nscd::WallRegion>& regions)
 {
     const face& f = patch.localFaces()[facei];
-    faceList triangles(f.nTriangles());
-    label count = 0;
-    f.triangles(patch.localPoints(), count, triangles);
-    for (const face& t : triangles)
+    pointField corners(3, centerOf(patch, facei));
+    forAll(f, k)
     {
-        if (t.mag(patch.localPoints()) <= VSMALL) continue;
-        regions.push_back(makeRegion(patch.localPoints(), {{t[1], t[0]}, {t[2], t[1]}, {t[0], t[2]}}, wallPatch));
+        corners[1] = patch.localPoints()[f.nextLabel(k)];
+        corners[2] = patch.localPoints()[f[k]];
+        const bool isDegenerate = mag((corners[1] - corners[0]) ^ (corners[2] - corners[0])) <= 2*VSMALL;
+        if (!isDegenerate) regions.push_back(makeRegion(corners, {{0, 1}, {1, 2}, {2, 0}}, wallPatch));
     }
 }
 
@@ -160,7 +161,7 @@ std::vector<nscd::WallRegion> coplanarRegions(const primitivePatch& patch, int w
     {
         if (!flat[facei])
         {
-            addTriangles(patch, facei, wallPatch, regions);
+            addFan(patch, facei, wallPatch, regions);
             continue;
         }
         if (regionOf[facei] >= 0) continue;

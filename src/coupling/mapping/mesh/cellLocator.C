@@ -35,18 +35,20 @@ scalar leavesTriangle(const Vec3* v, const Vec3& center, const Vec3& line, const
     return sign*a.dot(b.cross(c))/(weightA + weightB + weightC);
 }
 
-// The own cells that have neighbors in the halo, and the halo cells.
-std::vector<label> cellsBetweenRanks(const MappingMesh& mesh)
+// Halo cells, own cells that have neighbors there, and cells at a border that is not flat.
+std::vector<label> cellsAtBorders(const MappingMesh& mesh)
 {
     std::vector<label> cells;
     for (label cell = 0; cell < mesh.nCells(); ++cell)
     {
-        bool isBetween = cell >= mesh.nOwnCells;
+        bool isAtBorder = cell >= mesh.nOwnCells;
         for (label k = mesh.cellFaceStart[cell]; k < mesh.cellFaceStart[cell + 1]; ++k)
         {
-            isBetween = isBetween || mesh.cellFaces[k].neighbor >= mesh.nOwnCells;
+            const CellFace& face = mesh.cellFaces[k];
+            const bool isFlat = mesh.pieceStart[face.face + 1] - mesh.pieceStart[face.face] == 1;
+            isAtBorder = isAtBorder || face.neighbor >= mesh.nOwnCells || (face.neighbor < 0 && !isFlat);
         }
-        if (isBetween) cells.push_back(cell);
+        if (isAtBorder) cells.push_back(cell);
     }
     return cells;
 }
@@ -73,8 +75,8 @@ CellLocator::CellLocator(const MappingMesh& mappingMesh, const polyMesh& mesh)
     mesh_(mappingMesh),
     polyMesh_(mesh),
     middle_(mappingMesh.inPlane(toVec3(mesh.bounds().centre()))),
-    cellsBetweenRanks_(cellsBetweenRanks(mappingMesh)),
-    boxesBetweenRanks_(boxesOf(cellsBetweenRanks_, mappingMesh)),
+    cellsAtBorders_(cellsAtBorders(mappingMesh)),
+    boxesAtBorders_(boxesOf(cellsAtBorders_, mappingMesh)),
     hasHalves_(slidesInHalves(mesh))
 {
     if (Pstream::parRun())
@@ -172,9 +174,9 @@ label CellLocator::search(const Vec3& x) const
         const label settled = walk(cell, x);
         return settled >= 0 ? settled : cell;
     }
-    if (const label between = searchBetweenRanks(x); between >= 0)
+    if (const label atBorder = searchAtBorders(x); atBorder >= 0)
     {
-        return between;
+        return atBorder;
     }
     // The octree may miss a point on the border of the mesh; one just inside of it starts a walk.
     const Vec3 inside = x + 1e-9*(middle_ - x);
@@ -192,19 +194,19 @@ label CellLocator::searchBetweenHalves(const Vec3& x) const
     return isBetweenHalves(polyMesh_.boundaryMesh()[patch]) ? polyMesh_.faceOwner()[face] : -1;
 }
 
-// The octree knows nothing of halo cells, and it may miss a point of an own cell beside them, behind a warped face or on a flat
-// one. Own cells go first: else two ranks could send a grain to and fro for ever.
-label CellLocator::searchBetweenRanks(const Vec3& x) const
+// The octree knows nothing of halo cells, and it may miss a point of an own cell beside them or at the border of the mesh, behind a
+// warped face or on a flat one. Own cells go first: else two ranks could send a grain to and fro for ever.
+label CellLocator::searchAtBorders(const Vec3& x) const
 {
     for (const bool isOwn : {true, false})
     {
         const auto holds = [&](const int k)
         {
-            const label cell = cellsBetweenRanks_[k];
+            const label cell = cellsAtBorders_[k];
             return mesh_.isOwn(cell) == isOwn && !exitFace(cell, x);
         };
-        const int found = boxesBetweenRanks_.find(Eigen::AlignedBox3d(x), holds);
-        if (found >= 0) return cellsBetweenRanks_[found];
+        const int found = boxesAtBorders_.find(Eigen::AlignedBox3d(x), holds);
+        if (found >= 0) return cellsAtBorders_[found];
     }
     return -1;
 }
