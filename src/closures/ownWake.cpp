@@ -25,6 +25,8 @@ constexpr double fractionSlope = 0.09;
 constexpr double fewOthers = 0.001;
 constexpr double manyOthers = 0.01;
 
+constexpr double fewInParcel = 5, manyInParcel = 10;
+
 } // namespace
 
 double flowInOwnCell(double cellVolume, double smoothingArea)
@@ -61,6 +63,11 @@ double wakeTime(double viscosity, double density, double length, double slip)
 double loneliness(double othersFraction)
 {
     return std::clamp((manyOthers - othersFraction)/(manyOthers - fewOthers), 0.0, 1.0);
+}
+
+double wakeOfParcel(double crowding)
+{
+    return std::clamp((manyInParcel - crowding)/(manyInParcel - fewInParcel), 0.0, 1.0);
 }
 
 } // namespace closures

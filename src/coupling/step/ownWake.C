@@ -24,6 +24,13 @@ Vec3 stokesWake(const OwnTrace& own, std::size_t i, const Vec3& force, scalar vi
     return -(own.flowDiagonal[i].cwiseProduct(force) + across)/viscosity;
 }
 
+/// 1 for what is no parcel.
+scalar wakeOfAll(const ForceInputs& in, std::size_t i, scalar length)
+{
+    const scalar coarseness = in.coarseness(i);
+    return coarseness > 1 ? closures::wakeOfParcel(pow3(coarseness)*2*in.realRadius[i]/length) : 1;
+}
+
 } // namespace
 
 scalar ownStressShare(const ForceSettings& settings)
@@ -41,15 +48,15 @@ void followOwnWake
     at.dragFactor.assign(grains.nOwned, 1.0);
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
-        const scalar lone = closures::loneliness(at.own.others[i]);
+        const scalar volume = grains.volume(i);
         // A grain outside the mesh has no cells of its own.
-        if (lone == 0 || at.own.fraction[i] == 0)
+        const scalar length = at.own.fraction[i] > 0 ? std::cbrt(volume/at.own.fraction[i]) : GREAT;
+        const scalar lone = at.own.fraction[i] > 0 ? closures::loneliness(at.own.others[i])*wakeOfAll(in, i, length) : 0;
+        if (lone == 0)
         {
             wake[i] = Vec3::Zero();
             continue;
         }
-        const scalar volume = grains.volume(i);
-        const scalar length = std::cbrt(volume/at.own.fraction[i]);
         const scalar slip = (at.velocity[i] - (1 - closures::wakeTakenAlong)*wake[i] - grains.velocity[i]).norm();
         const scalar inertia = closures::wakeInertia(in.fluidDensity*slip*length/at.viscosity[i]);
         const Vec3 dynamic = fluidForce[i] + in.fluidDensity*volume*in.gravity;

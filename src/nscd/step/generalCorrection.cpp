@@ -98,6 +98,16 @@ std::vector<Push> collectPushes(const ContactList& list, double deepest, double 
     return pushes;
 }
 
+/// At walls that the list lacks.
+void addPushes(const ContactList& list, const std::vector<WallGap>& missed, double target, std::vector<Push>& pushes)
+{
+    for (const WallGap& wall : missed)
+    {
+        const Vec3& n = wall.normal;
+        pushes.push_back({makeSide(list, wall.body, n, false), makeSide(list, list.staticBody(), n, false), n, target - wall.gap});
+    }
+}
+
 double along(const Side& side, const Vec3& n, Displacements& moved)
 {
     if (side.owner < 0) return n.dot(moved.shift[side.body]);
@@ -158,10 +168,14 @@ void displaceAll(ContactList& list, Grains& grains, const PeriodicBox& box, Disp
 
 } // namespace
 
-int correctGeneralOverlaps(ContactList& list, Grains& grains, const Scene& scene, double deepest, double tolerance, double deadBand)
+int correctGeneralOverlaps
+(
+    ContactList& list, Grains& grains, const Scene& scene, const std::vector<WallGap>& missed, double deepest, double tolerance, double deadBand
+)
 {
     Displacements moved(list);
     std::vector<Push> inner = collectPushes(list, deepest, -0.5*deadBand, false), between = collectPushes(list, deepest, -0.5*deadBand, true);
+    addPushes(list, missed, -0.5*deadBand, inner);
     int sweeps = 0;
     double change = 0.0;
     do

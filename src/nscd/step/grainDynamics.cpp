@@ -7,7 +7,6 @@
 #include "nscd/base/invalidValue.hpp"
 #include "nscd/contacts/contactGeometry.hpp"
 #include "nscd/step/generalCorrection.hpp"
-#include "nscd/step/missedWalls.hpp"
 #include "nscd/step/overlapCorrection.hpp"
 #include "nscd/step/sweptPairs.hpp"
 
@@ -207,18 +206,21 @@ OverlapStatistics GrainDynamics::Implementation::placeContacts()
 void GrainDynamics::Implementation::correctPositions(StepReport& report)
 {
     OverlapStatistics overlap = placeContacts();
-    report.overlapUncorrected = std::max({overlap.deepest, deepestOfRanks(depthInMissedWalls), 0.0})/diameter;
+    std::vector<WallGap> missed = gapsToMissedWalls(list, wallsOfStep(), atMissedWalls);
+    double inMissedWalls = deepestOfRanks(missed);
+    const double deepest = std::max(overlap.deepest, inMissedWalls);
+    report.overlapUncorrected = std::max(deepest, 0.0)/diameter;
     const double tolerance = settings.overlapTolerance*diameter;
-    if (overlap.deepest > tolerance)
+    if (deepest > tolerance)
     {
         const auto timer = times.time(GrainPart::correctOverlaps);
         report.correctionSweeps = list.general.empty()
-            ? correctOverlaps(list, scene(), overlap.deepest, tolerance, deadBand())
-            : correctGeneralOverlaps(list, grains, scene(), overlap.deepest, tolerance, deadBand());
+            ? correctOverlaps(list, scene(), missed, deepest, tolerance, deadBand())
+            : correctGeneralOverlaps(list, grains, scene(), missed, deepest, tolerance, deadBand());
         for (int body = 0; body < list.owned(); ++body) grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
         overlap = measureOverlap(list);
+        inMissedWalls = deepestOfRanks(gapsToMissedWalls(list, wallsOfStep(), atMissedWalls));
     }
-    const double inMissedWalls = deepestOfRanks(deepestInMissedWalls(list, wallsOfStep(), atMissedWalls));
     report.overlapMax = std::max({overlap.max, inMissedWalls, sleep.any() ? overlapAsleep : 0.0})/diameter;
     report.overlapMean = overlap.mean/diameter;
 }

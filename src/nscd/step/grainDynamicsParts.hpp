@@ -16,6 +16,7 @@
 #include "nscd/step/generalMotion.hpp"
 #include "nscd/step/grainDynamics.hpp"
 #include "nscd/step/listPlan.hpp"
+#include "nscd/step/missedWalls.hpp"
 #include "nscd/step/shockImpulses.hpp"
 #include "nscd/step/shockWork.hpp"
 #include "nscd/step/stopsOnWay.hpp"
@@ -47,7 +48,6 @@ struct GrainDynamics::Implementation
     bool areWallsOutlined = false;     // any
     bool isAnyFast = false;            // of grains, on any rank: outlined walls on their ways are looked for
     std::vector<int> atMissedWalls;    // own bodies that have come to walls which the list lacks
-    double depthInMissedWalls = 0.0;   // of theirs, before they were pushed out [m]
     std::vector<double> reachToMany;   // of the list
 
     ContactList list;             // while grains sleep: the part of it that is awake
@@ -96,7 +96,7 @@ struct GrainDynamics::Implementation
     WallsOfStep wallsOfStep() const;
     void lookForFast(const ListPlan& plan, const std::vector<double>& reach, const std::vector<WallReach>& wallReach);
     double moveBodies(StepReport& report);
-    double deepestOfRanks(double depthInWalls) const { return isAnyFast ? list.halo.max(depthInWalls) : 0.0; }
+    double deepestOfRanks(const std::vector<WallGap>& missed) const { return isAnyFast ? list.halo.max(deepestOf(missed)) : 0.0; }
     void clearForces();
     /// `margin`: 1 where grains can be expected to move with these velocities, else what they may exceed them by.
     void rebuildList(const std::vector<Vec3>& velocity, double margin);

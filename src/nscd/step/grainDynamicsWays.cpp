@@ -7,7 +7,6 @@
 
 #include "nscd/base/formattedText.hpp"
 #include "nscd/base/invalidValue.hpp"
-#include "nscd/step/missedWalls.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -86,12 +85,8 @@ double GrainDynamics::Implementation::moveBodies(StepReport& report)
         grains.position[list.grainOf[stop.body]] = box.wrap(list.position[stop.body]);
     }
     report.stoppedOnWay = static_cast<std::size_t>(list.halo.sum(static_cast<double>(stops.size())));
-    const WallsOfStep walls = wallsOfStep();
-    atMissedWalls = bodiesAtMissedWalls(list, walls);
-    depthInMissedWalls = deepestInMissedWalls(list, walls, atMissedWalls);
-    pushOutOfMissedWalls(list, walls, atMissedWalls, 0.1*settings.overlapTolerance*diameter);
-    for (int body : atMissedWalls) grains.position[list.grainOf[body]] = box.wrap(list.position[body]);
     list.halo.give(list.position);
+    atMissedWalls = bodiesAtMissedWalls(list, wallsOfStep());
     return displacement;
 }
 

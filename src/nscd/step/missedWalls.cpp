@@ -45,30 +45,31 @@ bool isAnyNear(const WallsOfStep& walls, const std::vector<GroupMotion>& motions
     });
 }
 
-/// A wall that a sphere is in.
-struct Penetration
+/// Whether a wall is nearer to a body by an edge or a vertex, which a neighbor may have nearer.
+struct NearWall
 {
-    double depth = 0.0;             ///< [m]
-    Vec3 normal = Vec3::Zero();     ///< from the wall to the center, where things are at the end of the step
+    WallGap gap;
+    bool isByFace;
 };
 
-/// The deepest one of a sphere at x.
-Penetration deepestAt(const WallsOfStep& walls, const std::vector<GroupMotion>& motions, const Vec3& x, double radius)
+/// Walls about a body at x, the nearest first.
+std::vector<NearWall> wallsAbout(const WallsOfStep& walls, const std::vector<GroupMotion>& motions, int body, const Vec3& x, double radius)
 {
-    Penetration deepest;
+    std::vector<NearWall> found;
     for (const GroupMotion& motion : motions)
     {
         const Vec3 center = motion.after(x);
-        for (int number : regionsAbout(walls, motion.group, center, radius))
+        for (int number : regionsAbout(walls, motion.group, center, (1.0 + deepestInWalls)*radius))
         {
             const WallRegion& region = walls.scene.walls.regions[number];
             if (liesAlong(region, walls.scene.grains.shape.emptyAxis)) continue;
             const WallProximity near = nearestPoint(region, center);
             if (near.isInside && near.distance < backSide*radius) continue;
-            if (radius - near.distance > deepest.depth) deepest = {radius - near.distance, motion.turned(near.normal)};
+            if (near.distance < (1.0 + deepestInWalls)*radius) found.push_back({{body, motion.turned(near.normal), near.distance - radius}, near.isInside});
         }
     }
-    return deepest;
+    std::sort(found.begin(), found.end(), [](const NearWall& a, const NearWall& b) { return a.gap.gap < b.gap.gap; });
+    return found;
 }
 
 } // namespace
@@ -91,32 +92,31 @@ std::vector<int> bodiesAtMissedWalls(const ContactList& list, const WallsOfStep&
     return bodies;
 }
 
-double deepestInMissedWalls(const ContactList& list, const WallsOfStep& walls, const std::vector<int>& bodies)
+std::vector<WallGap> gapsToMissedWalls(const ContactList& list, const WallsOfStep& walls, const std::vector<int>& bodies)
 {
-    double deepest = 0.0;
-    if (bodies.empty()) return deepest;
-    const std::vector<GroupMotion> motions = motionsOf(list, walls);
-    for (int body : bodies) deepest = std::max(deepest, deepestAt(walls, motions, walls.scene.box.wrap(list.position[body]), list.radius[body]).depth);
-    return deepest;
-}
-
-void pushOutOfMissedWalls(ContactList& list, const WallsOfStep& walls, const std::vector<int>& bodies, double allowed)
-{
-    constexpr int mostPushes = 50;
-    if (bodies.empty()) return;
+    std::vector<WallGap> gaps;
+    if (bodies.empty()) return gaps;
     const std::vector<GroupMotion> motions = motionsOf(list, walls);
     const int emptyAxis = walls.scene.grains.shape.emptyAxis;
     for (int body : bodies)
     {
-        for (int k = 0; k < mostPushes; ++k)
+        const std::vector<NearWall> near = wallsAbout(walls, motions, body, walls.scene.box.wrap(list.position[body]), list.radius[body]);
+        for (std::size_t k = 0; k < near.size(); ++k)
         {
-            const Penetration in = deepestAt(walls, motions, walls.scene.box.wrap(list.position[body]), list.radius[body]);
-            if (in.depth <= allowed) break;
-            Vec3 push = in.depth*in.normal;
-            if (emptyAxis >= 0) push[emptyAxis] = 0.0;
-            list.position[body] += push;
+            if (k > 0 && !near[k].isByFace) continue;
+            gaps.push_back(near[k].gap);
+            Vec3& n = gaps.back().normal;
+            if (emptyAxis >= 0) n = (n - n[emptyAxis]*Vec3::Unit(emptyAxis)).normalized();
         }
     }
+    return gaps;
+}
+
+double deepestOf(const std::vector<WallGap>& gaps)
+{
+    double deepest = 0.0;
+    for (const WallGap& wall : gaps) deepest = std::max(deepest, -wall.gap);
+    return deepest;
 }
 
 } // namespace nscd

@@ -16,11 +16,19 @@ bool mayMissWalls(const ContactList& list, const WallsOfStep& walls, const std::
 /// The own bodies that are near walls of many regions which the list may not have for them, at the end of the step.
 std::vector<int> bodiesAtMissedWalls(const ContactList& list, const WallsOfStep& walls);
 
-/// How deep the deepest of these bodies is in any outlined wall at the end of the step [m]; 0 where none is.
-double deepestInMissedWalls(const ContactList& list, const WallsOfStep& walls, const std::vector<int>& bodies);
+/// A body at a wall that the list lacks: as for a contact of the list, without a law.
+struct WallGap
+{
+    int body;
+    Vec3 normal;    ///< unit, from the wall to the body
+    double gap;     ///< [m], below 0 where it is in the wall
+};
 
-/// Moves bodies that are deeper in outlined walls than `allowed` [m] to where they touch these, without a change of their velocities: the
-/// nearest point of each wall in turn, a few times.
-void pushOutOfMissedWalls(ContactList& list, const WallsOfStep& walls, const std::vector<int>& bodies, double allowed);
+/// Those of bodies that are nearer to outlined walls than half their radius at the end of the step: of each body the nearest wall, and others whose
+/// face is nearest to it, not their edge.
+std::vector<WallGap> gapsToMissedWalls(const ContactList& list, const WallsOfStep& walls, const std::vector<int>& bodies);
+
+/// Of the deepest one [m]; 0 where none is in a wall.
+double deepestOf(const std::vector<WallGap>& gaps);
 
 } // namespace nscd

@@ -45,6 +45,12 @@ std::vector<Push> collectPushes(const ContactList& list, std::size_t first, std:
     return pushes;
 }
 
+/// At walls that the list lacks.
+void addPushes(const ContactList& list, const std::vector<WallGap>& missed, double target, std::vector<Push>& pushes)
+{
+    for (const WallGap& wall : missed) pushes.push_back({wall.body, list.staticBody(), wall.normal, target - wall.gap});
+}
+
 /// What moves bodies, and where it has moved them.
 struct Shifts
 {
@@ -143,13 +149,17 @@ double sweepInterface(const ContactList& list, std::vector<Push>& pushes, Shifts
 
 } // namespace
 
-int correctOverlaps(ContactList& list, const Scene& scene, double deepest, double tolerance, double deadBand)
+int correctOverlaps
+(
+    ContactList& list, const Scene& scene, const std::vector<WallGap>& missed, double deepest, double tolerance, double deadBand
+)
 {
     Shifts shifts{pushMobility(list), std::vector<Vec3>(list.bodies.size(), Vec3::Zero()), std::vector<int>(list.bodies.size(), 0), 0.01*exactness*tolerance};
     const std::size_t interface = list.interfaceBlock*blockLanes;
     // No finer than the sweeps below stop at.
     const double target = -std::max(0.5*deadBand, exactness*tolerance);
     InnerPushes inner{collectPushes(list, 0, interface, deepest, target), {}};
+    addPushes(list, missed, target, inner.all);
     std::vector<Push> between = collectPushes(list, interface, list.slots(), deepest, target);
     const double negligibleChange = exactness*tolerance;
     double change = 0.0;

@@ -74,3 +74,12 @@ TEST(OwnWake, isThatOfLoneGrains)
     EXPECT_EQ(closures::loneliness(0.01), 0);
     EXPECT_EQ(closures::loneliness(0.6), 0);
 }
+
+TEST(OwnWake, isThatOfAParcelUnlessItIsOfManyGrains)
+{
+    EXPECT_EQ(closures::wakeOfParcel(0.3), 1);
+    EXPECT_EQ(closures::wakeOfParcel(5), 1);
+    EXPECT_NEAR(closures::wakeOfParcel(7.5), 0.5, 1e-14);
+    EXPECT_EQ(closures::wakeOfParcel(10), 0);
+    EXPECT_EQ(closures::wakeOfParcel(500), 0);
+}

@@ -41,7 +41,7 @@ TEST(GeneralCorrection, removesOverlapAndKeepsTheMassCenterAndVelocities)
     ASSERT_GT(deepest, 0.05*memberRadius);
     for (int pass = 0; pass < 6 && deepest > tolerance; ++pass)
     {
-        EXPECT_LT(nscd::correctGeneralOverlaps(list, scene.grains, partsOf(scene), deepest, tolerance, deadBand), 50);
+        EXPECT_LT(nscd::correctGeneralOverlaps(list, scene.grains, partsOf(scene), {}, deepest, tolerance, deadBand), 50);
         const double now = nscd::measureOverlap(list).deepest;
         EXPECT_LT(now, 0.5*deepest);
         deepest = now;

@@ -19,7 +19,7 @@ double deepest(const nscd::ContactList& list) { return -*std::min_element(list.g
 /// One pass, as a step makes it.
 int correct(nscd::ContactList& list, const Scene& scene)
 {
-    return nscd::correctOverlaps(list, partsOf(scene), deepest(list), tolerance, deadBand);
+    return nscd::correctOverlaps(list, partsOf(scene), {}, deepest(list), tolerance, deadBand);
 }
 
 /// As many as steps would make one after the other.
@@ -55,6 +55,17 @@ TEST(OverlapCorrection, aColumnGoesUpFromItsFloor)
     EXPECT_LE(deepest(list), tolerance);
     for (int i = 0; i < 5; ++i) EXPECT_NEAR(positionOf(list, i)[2], radius*(2*i + 1), (i + 1)*tolerance);
     EXPECT_EQ(positionOf(list, 5), scene.grains.position[5]);
+}
+
+TEST(OverlapCorrection, goesByWallsThatTheListLacksToo)
+{
+    // A column of three whose floor is known to the correction alone, which starts 0.04 below it.
+    Scene scene(3, 0.3, 0.0);
+    for (int i = 0; i < 3; ++i) scene.addGrain(Vec3(0, 0, radius*(2*i + 1) - 0.04), radius);
+    nscd::ContactList list = listContacts(scene, 0.05);
+    const nscd::WallGap floor{bodyOf(list, 0), Vec3::UnitZ(), -0.04};
+    nscd::correctOverlaps(list, partsOf(scene), {floor}, 0.04, tolerance, deadBand);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(positionOf(list, i)[2], radius*(2*i + 1), (i + 1)*tolerance) << i;
 }
 
 TEST(OverlapCorrection, aCloudLosesItsOverlapAndKeepsItsMassCenter)

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Fast grains at surfaces of triangles, at edges, at walls that move, and behind others: none comes through.
+#include "unit/nscd/scenes/drums.hpp"
 #include "unit/nscd/scenes/shots.hpp"
 
 #include <gtest/gtest.h>
@@ -125,6 +126,30 @@ TEST(StopsOnWay, doNotHinderWhatRunsAroundAFineDrum)
     }
     EXPECT_EQ(stopped, 0u);
     EXPECT_NEAR(angle, 50*0.004/0.098, 0.1*50*0.004/0.098);
+}
+
+TEST(StopsOnWay, leaveNoGrainInWallsThatItCameToWithinTheStep)
+{
+    // Two diameters a step along facets of 10 mm: around a corner it gets by up to 0.4 R into the next one, which is too far away to be listed.
+    Scene scene(3, 0.0, 0.0);
+    scene.walls.addTriangles(scene.walls.addPatch("drum", 1), mantle(0.1, 0.04, 60));
+    constexpr double radius = 0.002;
+    addShot(scene, Vec3(0.0975, 0, 0), radius, Vec3(0, 0, 8));
+    auto dynamics = scene.build(nscd::ContactSettings());
+    double uncorrected = 0.0;
+    for (int k = 0; k < 50; ++k)
+    {
+        const nscd::StepReport report = step(dynamics, Vec3::Zero(), deltaT);
+        double distance = 1.0;
+        for (const nscd::WallRegion& region : scene.walls.regions)
+        {
+            distance = std::min(distance, std::abs(nscd::nearestPoint(region, dynamics.grains().position[0]).distance));
+        }
+        EXPECT_LE(radius - distance, report.overlapMax*2*radius + 1e-12) << k;
+        EXPECT_LT(radius - distance, 1e-3*2*radius) << k;
+        uncorrected = std::max(uncorrected, report.overlapUncorrected);
+    }
+    EXPECT_GT(uncorrected, 0.05);
 }
 
 TEST(StopsOnWay, doNotLetGrainsThroughHolesThatAreTooSmall)
