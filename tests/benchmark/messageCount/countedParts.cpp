@@ -69,8 +69,9 @@ COUNTED
 )
 COUNTED
 (
-    "overlaps", int, _ZN4nscd15correctOverlapsERNS_11ContactListERKNS_5SceneEddd,
-    (void* list, const void* scene, double deepest, double tolerance, double deadBand), (list, scene, deepest, tolerance, deadBand)
+    "overlaps", int, _ZN4nscd15correctOverlapsERNS_11ContactListERKNS_5SceneERKSt6vectorINS_7WallGapESaIS6_EEddd,
+    (void* list, const void* scene, const void* missed, double deepest, double tolerance, double deadBand),
+    (list, scene, missed, deepest, tolerance, deadBand)
 )
 
 #ifndef COUNT_LINKED

@@ -39,6 +39,7 @@ StiffClusters::StiffClusters(ContactProblem& problem, const SolverStrategy::Clus
     problem_(problem),
     strategy_(strategy),
     start_(problem.bodies.size() + 1, 0),
+    isUnlike_(problem.bodies.size(), 0),
     isTaken_(problem.blocks.size()*blockLanes, 0)
 {
     const BlockRange range = problem.inner();
@@ -55,7 +56,25 @@ StiffClusters::StiffClusters(ContactProblem& problem, const SolverStrategy::Clus
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     slotsOfBody_.resize(start_.back());
     std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-    forEach([&](std::int32_t body, std::uint32_t slot) { slotsOfBody_[next[body]++] = slot; });
+    forEach([&](std::int32_t body, std::uint32_t slot)
+    {
+        slotsOfBody_[next[body]++] = slot;
+        isUnlike_[body] = isUnlike_[body] || isBetweenUnlike(slot);
+    });
+}
+
+bool StiffClusters::isBetweenUnlike(std::uint32_t slot) const
+{
+    const auto [a, b] = bodiesOf(problem_, slot);
+    if (!isMovable(problem_, a) || !isMovable(problem_, b)) return false;
+    const double ratio = problem_.bodies[a].invMass/problem_.bodies[b].invMass;
+    return std::max(ratio, 1.0/ratio) >= strategy_.leastMassRatio;
+}
+
+bool StiffClusters::isAtUnlike(std::uint32_t slot) const
+{
+    const auto [a, b] = bodiesOf(problem_, slot);
+    return isUnlike_[a] || isUnlike_[b];
 }
 
 bool StiffClusters::mayCarry(std::uint32_t slot) const
@@ -70,7 +89,10 @@ bool StiffClusters::mayCarry(std::uint32_t slot) const
 std::vector<std::uint32_t> StiffClusters::seeds(double threshold) const
 {
     std::vector<std::pair<double, std::uint32_t>> sorted;
-    for (std::uint32_t slot : defectiveSlots(problem_, problem_.inner(), threshold)) sorted.push_back({-localChange(problem_, slot).defect, slot});
+    for (std::uint32_t slot : defectiveSlots(problem_, problem_.inner(), threshold))
+    {
+        if (isAtUnlike(slot)) sorted.push_back({-localChange(problem_, slot).defect, slot});
+    }
     std::sort(sorted.begin(), sorted.end());
     std::vector<std::uint32_t> slots;
     for (const auto& [defect, slot] : sorted) slots.push_back(slot);

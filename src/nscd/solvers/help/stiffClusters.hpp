@@ -20,12 +20,15 @@ class StiffClusters
 public:
     StiffClusters(ContactProblem& problem, const SolverStrategy::Clusters& strategy);
 
-    /// Round after round the contacts with a defect above `threshold` [m/s], the worst first, are solved each with those around it (ClusterSolve), until none
-    /// is left, or for as many rounds as the strategy has. Returns the Newton steps made.
+    /// Round after round the contacts with a defect above `threshold` [m/s] at bodies that touch a much heavier or lighter one, the worst first, are solved
+    /// each with those around it (ClusterSolve), until none is left, or for as many rounds as the strategy has: other defects sweeps remove
+    /// sooner. Returns the Newton steps made.
     int solve(double threshold);
 
 private:
     std::vector<std::uint32_t> seeds(double threshold) const;
+    bool isBetweenUnlike(std::uint32_t slot) const;
+    bool isAtUnlike(std::uint32_t slot) const;
     bool mayCarry(std::uint32_t slot) const;
     std::vector<std::uint32_t> around(std::uint32_t seed);
     int solveRound(const std::vector<std::uint32_t>& seeds, double threshold);
@@ -34,6 +37,7 @@ private:
     const SolverStrategy::Clusters& strategy_;
     std::vector<std::uint32_t> start_;         ///< per body, into slotsOfBody_
     std::vector<std::uint32_t> slotsOfBody_;
+    std::vector<char> isUnlike_;               ///< per body: it touches one whose mass differs by the strategy's ratio
     std::vector<char> isTaken_;                ///< per slot, in this round
 };
 

@@ -69,3 +69,27 @@ TEST(StiffClusters, takeMomentsAlong)
     EXPECT_GT(atCapWithout, 0);
     EXPECT_LT(5*sweeps, without);
 }
+
+TEST(StiffClusters, leaveToSweepsWhatTouchesNoUnlikeBody)
+{
+    // A heap of like spheres lands; the heavy one lies apart.
+    const double radius = 1e-3;
+    Scene scene(3, 0.5, 0.0);
+    for (int k = 0; k < 8; ++k)
+    for (int i = 0; i < 25; ++i) scene.addGrain(radius*Vec3(2.1*(i % 5) + 0.1*(k % 3), 2.1*(i/5) + 0.1*(k % 2), 2.02*k + 1.0), radius);
+    scene.addGrain(Vec3(0.1, 0, 0.01), 0.01);
+    scene.addPlane(Vec3(0, 0, 0), Vec3::UnitZ());
+    nscd::ContactSettings settings;
+    settings.strategy.direct.isOn = false;
+    settings.tolerance = 1e-4;
+    settings.displacementTolerance = 3e-6;
+    nscd::GrainDynamics dynamics = scene.build(settings);
+    int most = 0;
+    for (int k = 0; k < 20; ++k)
+    {
+        const nscd::SolveReport report = step(dynamics, scene.g, 1e-3).solve;
+        EXPECT_EQ(report.newtonSteps, 0) << k;
+        most = std::max(most, report.sweeps);
+    }
+    EXPECT_GT(most, settings.strategy.clusters.sweepsBetween);
+}
