@@ -24,8 +24,8 @@ Vec3 stokesWake(const OwnTrace& own, std::size_t i, const Vec3& force, scalar vi
     return -(own.flowDiagonal[i].cwiseProduct(force) + across)/viscosity;
 }
 
-/// 1 for what is no parcel.
-scalar wakeOfAll(const ForceInputs& in, std::size_t i, scalar length)
+/// Of a parcel's wake, what is its own to take out; 1 for single grains.
+scalar shareOfParcel(const ForceInputs& in, std::size_t i, scalar length)
 {
     const scalar coarseness = in.coarseness(i);
     return coarseness > 1 ? closures::wakeOfParcel(pow3(coarseness)*2*in.realRadius[i]/length) : 1;
@@ -51,7 +51,7 @@ void followOwnWake
         const scalar volume = grains.volume(i);
         // A grain outside the mesh has no cells of its own.
         const scalar length = at.own.fraction[i] > 0 ? std::cbrt(volume/at.own.fraction[i]) : GREAT;
-        const scalar lone = at.own.fraction[i] > 0 ? closures::loneliness(at.own.others[i])*wakeOfAll(in, i, length) : 0;
+        const scalar lone = at.own.fraction[i] > 0 ? closures::loneliness(at.own.others[i])*shareOfParcel(in, i, length) : 0;
         if (lone == 0)
         {
             wake[i] = Vec3::Zero();

@@ -28,12 +28,14 @@ double wayFromBuild(const ContactList& list, const std::vector<GroupMotion>& mot
     return (list.position[body] + way - list.positionAtBuild[body]).norm() + ofWalls;
 }
 
-/// Outlined regions of a group whose bounds are within a distance of a place in its frame.
+/// Outlined regions of a group whose bounds are within a distance of a place in its frame, each once.
 std::vector<int> regionsAbout(const WallsOfStep& walls, int group, const Vec3& center, double distance)
 {
     std::vector<int> regions;
     const Vec3 margin = Vec3::Constant(distance);
     walls.search.findInBox(group, {Vec3(center - margin), Vec3(center + margin)}, regions);
+    std::sort(regions.begin(), regions.end());
+    regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
     return regions;
 }
 
@@ -45,11 +47,10 @@ bool isAnyNear(const WallsOfStep& walls, const std::vector<GroupMotion>& motions
     });
 }
 
-/// Whether a wall is nearer to a body by an edge or a vertex, which a neighbor may have nearer.
 struct NearWall
 {
     WallGap gap;
-    bool isByFace;
+    bool isByFace;   ///< not by an edge or a vertex, which belongs to its neighbors too
 };
 
 /// Walls about a body at x, the nearest first.
