@@ -206,6 +206,8 @@ OverlapStatistics GrainDynamics::Implementation::placeContacts()
 void GrainDynamics::Implementation::correctPositions(StepReport& report)
 {
     OverlapStatistics overlap = placeContacts();
+    // Here, as a rebound that woke grains has another list than the motion.
+    if (isAnyFast) atMissedWalls = bodiesAtMissedWalls(list, wallsOfStep());
     std::vector<WallGap> missed = gapsToMissedWalls(list, wallsOfStep(), atMissedWalls);
     double inMissedWalls = deepestOfRanks(missed);
     const double deepest = std::max(overlap.deepest, inMissedWalls);

@@ -86,7 +86,6 @@ double GrainDynamics::Implementation::moveBodies(StepReport& report)
     }
     report.stoppedOnWay = static_cast<std::size_t>(list.halo.sum(static_cast<double>(stops.size())));
     list.halo.give(list.position);
-    atMissedWalls = bodiesAtMissedWalls(list, wallsOfStep());
     return displacement;
 }
 
