@@ -87,6 +87,13 @@ void keepVelocities(const ContactList& list, std::vector<Vec3>& velocity)
     for (std::size_t body = 0; body < velocity.size(); ++body) velocity[body] = Vec3(list.bodies[body].v);
 }
 
+double sumOfChanges2(const ContactList& list, const std::vector<Vec3>& ofGrains)
+{
+    double sum = 0.0;
+    for (int body = 0; body < list.owned(); ++body) sum += (Vec3(list.bodies[body].v) - ofGrains[list.grainOf[body]]).squaredNorm();
+    return sum;
+}
+
 bool isInPlane(const ContactList& list, int axis)
 {
     const int p = (axis + 1) % 3, q = (axis + 2) % 3;

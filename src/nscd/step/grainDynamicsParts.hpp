@@ -54,6 +54,7 @@ struct GrainDynamics::Implementation
     bool isListStale = true;
     bool isListNew = false;       // built since the last step
     double stepsPerList = fewestStepsPerList;
+    double scatterOfLists = widestScatter;
     double deltaT = 0.0;          // of the step begun
     double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
     ImpulseRecord restored;
@@ -64,6 +65,7 @@ struct GrainDynamics::Implementation
     int stepsOfManyImpacts = 0;   // in a row
     PackedContacts packing;
     std::vector<Vec3> freeVelocity;   // of the list's own bodies in the present solve [m/s]
+    double freeChanges2 = 0.0;        // sum over these of the squares of what forces changed them by [m2/s2]
     StepReport lastReport;
     bool isStepBegun = false;
     bool isAnyDrivenAnew = false;    // of the held grains here, since the last step began

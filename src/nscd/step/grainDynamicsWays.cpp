@@ -19,6 +19,8 @@ namespace
 
 /// Mean diameters that a flow moves on by in a step to be looked at as one.
 constexpr double fastFlow = 0.5;
+/// Of impacts, up to which lists are made by paths: by speeds, a second list of a step of rain on a bed had 250 candidates a grain.
+constexpr double widestMargin = 2.0;
 
 } // namespace
 
@@ -49,12 +51,15 @@ ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& veloci
     if (!std::isfinite(commonSpeed)) throw invalidValue("rms speed of grains", commonSpeed, "a finite value [m/s]");
     const double time = stepsPerList*deltaT;
     const Vec3 mean = Vec3(sums[2], sums[3], sums[4])/number;
-    const bool isStraight = margin == 1.0;
-    if (isStraight && box.any()) refuseBeyondPeriods(velocity, mean);
+    if (margin == 1.0 && box.any()) refuseBeyondPeriods(velocity, mean);
     // Pairs on two ranks are listed by reach alone, so that longer ones would cost more there.
     if (exchange->isParallel()) return planBySpeeds(velocity, commonSpeed, time, margin);
-    // Over many steps grains do not fly straight.
-    if (isStraight && !isListStale && stepsPerList == fewestStepsPerList) return planByPaths(list, velocity, diameter, deltaT);
+    // Over many steps grains do not fly straight, nor where impacts were far from what was foreseen.
+    if (margin <= widestMargin && !isListStale && stepsPerList == fewestStepsPerList)
+    {
+        const double fall = std::sqrt(freeChanges2/std::max<double>(1.0, static_cast<double>(freeVelocity.size())));
+        return planByPaths(list, velocity, diameter, deltaT, {fall, margin, scatterOfLists});
+    }
     if (deltaT*mean.norm() <= fastFlow*diameter) return planBySpeeds(velocity, commonSpeed, time, margin);
     return planAroundMean(velocity, mean, std::sqrt(std::max(0.0, sums[0]/number - mean.squaredNorm())), time, margin);
 }

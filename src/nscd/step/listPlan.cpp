@@ -21,7 +21,7 @@ constexpr double impact = 1.0;
 constexpr double widestMiss = 1.0;
 /// Steps that grains are expected to move on as they do. In a collapse lists cost 9 ms a step with 4; with 2 and 3 steps 16 and 13, and 5 gain nothing. Where
 /// grains hit each other at speed, as in rain on a bed, one list for that long holds more candidates than two for half of it.
-constexpr double mostSteps = 4.0, fewestSteps = 1.5, widestScatter = 0.5;
+constexpr double mostSteps = 4.0, fewestSteps = 1.5;
 
 /// Of each grain: the speed at which an impact of one that passes within `miss` [m] in a time may throw it off its path. Two bodies on straight paths
 /// come no nearer than along their present normal.
@@ -46,24 +46,36 @@ std::vector<double> speedsOfImpacts(const ContactList& list, const std::vector<V
     return speed;
 }
 
-/// Steps for which impacts throw grains off their paths by widestScatter d in the mean (rms), within limits.
-double stepsOfPaths(const std::vector<double>& impacts, double diameter, double deltaT)
+double rms(const std::vector<double>& speeds)
 {
     double squares = 0.0;
-    for (double speed : impacts) squares += speed*speed;
-    const double scatter = deltaT*std::sqrt(squares/std::max<double>(1.0, static_cast<double>(impacts.size())));
-    return mostSteps*scatter <= widestScatter*diameter ? mostSteps : std::max(fewestSteps, widestScatter*diameter/scatter);
+    for (double speed : speeds) squares += speed*speed;
+    return std::sqrt(squares/std::max<double>(1.0, static_cast<double>(speeds.size())));
+}
+
+/// Steps for which impacts throw grains off their paths by `widest` [m] in the mean (rms), within limits.
+double stepsOfPaths(double impacts, double widest, double deltaT)
+{
+    const double scatter = deltaT*impacts;
+    return mostSteps*scatter <= widest ? mostSteps : std::max(fewestSteps, widest/scatter);
 }
 
 } // namespace
 
-ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity, double diameter, double deltaT)
+ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity, double diameter, double deltaT, const OffPaths& off)
 {
     ListPlan plan;
     plan.speed = speedsOfImpacts(list, velocity, mostSteps*deltaT, widestMiss*diameter);
-    plan.expected.time = stepsOfPaths(plan.speed, diameter, deltaT)*deltaT;
+    const double impacts = rms(plan.speed), steps = stepsOfPaths(off.margin*impacts, off.scatter*diameter, deltaT);
+    plan.expected.time = steps*deltaT;
     plan.expected.velocity = velocity;
-    for (std::size_t i = 0; i < plan.speed.size(); ++i) plan.speed[i] += velocity[i].norm();
+    // After n steps a grain that falls is off its path by n (n + 1)/2 a dt^2.
+    const double falling = 0.5*(steps + 1.0)*off.fall;
+    for (std::size_t i = 0; i < plan.speed.size(); ++i)
+    {
+        // Where impacts were not foreseen, one that was hit may have hit another.
+        plan.speed[i] = velocity[i].norm() + std::max(off.margin*plan.speed[i], (off.margin - 1.0)*impacts) + falling;
+    }
     return plan;
 }
 

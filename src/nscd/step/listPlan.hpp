@@ -16,9 +16,20 @@ struct ListPlan
     ExpectedMotion expected;      ///< without velocities where no paths are expected
 };
 
+/// How far impacts may throw grains off their paths in the mean (rms) [d] before lists are made for fewer steps: at first, and while lists are long.
+constexpr double widestScatter = 0.5, widestScatterOfLongLists = 0.25;
+
+/// What a plan by paths allows for beside the impacts that the list so far foresees.
+struct OffPaths
+{
+    double fall = 0.0;      ///< what forces change a grain's velocity by in a step, in the mean (rms) [m/s]
+    double margin = 1.0;    ///< what impacts may be exceeded by [-]
+    double scatter = widestScatter;
+};
+
 /// For grains that go on as they do, and impacts that may throw them off their paths: from the candidates of the list so far.
 /// `velocity`: of each grain [m/s]; `diameter`: mean [m].
-ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity, double diameter, double deltaT);
+ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity, double diameter, double deltaT, const OffPaths& off);
 
 /// For grains that fly together, first of all: each moves with the mean velocity, give or take how much faster it is than that, or all are in the
 /// mean (rms), since any may be hit. Pairs through a periodic side that the flow crosses several times a step are else listed for each of its images.

@@ -27,9 +27,9 @@ Scene fiveGrains(double speed)
     return scene;
 }
 
-nscd::ListPlan planOf(const Scene& scene)
+nscd::ListPlan planOf(const Scene& scene, const nscd::OffPaths& off = nscd::OffPaths())
 {
-    return nscd::planByPaths(listContacts(scene, 2*radius), scene.grains.velocity, 2*radius, deltaT);
+    return nscd::planByPaths(listContacts(scene, 2*radius), scene.grains.velocity, 2*radius, deltaT, off);
 }
 
 } // namespace
@@ -44,6 +44,24 @@ TEST(ListPlan, grainsThatMeetMayBeThrownOffByTheirRelativeVelocity)
     const double scatter = 2*speed*std::sqrt(2.0/5.0);
     EXPECT_DOUBLE_EQ(plan.expected.time, 0.5*2*radius/scatter);
     EXPECT_EQ(plan.expected.velocity, fiveGrains(speed).grains.velocity);
+}
+
+TEST(ListPlan, strongerImpactsThanForeseenMayHitAnyGrainInAShorterList)
+{
+    const double speed = 1.2, margin = 1.5;
+    const nscd::ListPlan plan = planOf(fiveGrains(speed), {0.0, margin, 0.25});
+    const double scatter = margin*2*speed*std::sqrt(2.0/5.0);
+    EXPECT_DOUBLE_EQ(plan.speed[0], speed + margin*2*speed);
+    EXPECT_DOUBLE_EQ(plan.speed[2], speed + (margin - 1.0)*2*speed*std::sqrt(2.0/5.0));
+    EXPECT_DOUBLE_EQ(plan.expected.time, 0.25*2*radius/scatter);
+}
+
+TEST(ListPlan, grainsMayFallForAsLongAsTheListLasts)
+{
+    const double fall = 0.03, speed = 0.01;
+    const nscd::ListPlan plan = planOf(fiveGrains(speed), {fall}), flying = planOf(fiveGrains(speed));
+    // Displacements of dt a dt, 2, 3 and 4 in the steps of a list of four.
+    for (int i = 0; i < 5; ++i) EXPECT_NEAR(plan.expected.time*(plan.speed[i] - flying.speed[i]), (1 + 2 + 3 + 4)*fall*deltaT, 1e-15) << i;
 }
 
 TEST(ListPlan, slowGrainsHaveFourStepsFastOnesOneAndAHalf)
@@ -81,4 +99,15 @@ TEST(ListPlan, rainOnABedMakesNoListsWithoutEnd)
     const double most = 50.0*scene.grains.size();  // seen: 31, and 1600 where all candidates may give impacts
     for (int k = 0; k < 10; ++k) step(dynamics, scene.g, deltaT);  // the first lists know nothing of who is near whom
     for (int k = 10; k < 60; ++k) EXPECT_LT(step(dynamics, scene.g, deltaT).candidates, most) << "step " << k;
+}
+
+TEST(ListPlan, aListLastsWhileGrainsFallFarInAStep)
+{
+    constexpr double small = 0.6e-3, pitch = 4*small, longStep = 3e-3;   // g dt^2 = 0.07 d
+    Scene scene(3, 0.3, 0.0);
+    for (int n = 0; n < 1000; ++n) scene.addGrain(pitch*Vec3(n % 10, n/10 % 10, n/100), small);
+    auto dynamics = scene.build(nscd::ContactSettings());
+    int lists = 0;
+    for (int k = 0; k < 20; ++k) lists += step(dynamics, scene.g, longStep).listRebuilt;
+    EXPECT_LE(lists, 7);    // seen: 7, and 16 where nothing is allowed for the fall
 }
