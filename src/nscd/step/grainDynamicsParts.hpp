@@ -54,7 +54,7 @@ struct GrainDynamics::Implementation
     bool isListStale = true;
     bool isListNew = false;       // built since the last step
     double stepsPerList = fewestStepsPerList;
-    double scatterOfLists = widestScatter;
+    double scatterOfLists = widestScatter;   // [d]: see OffPaths
     double deltaT = 0.0;          // of the step begun
     double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
     ImpulseRecord restored;

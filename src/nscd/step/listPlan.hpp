@@ -24,7 +24,7 @@ struct OffPaths
 {
     double fall = 0.0;      ///< what forces change a grain's velocity by in a step, in the mean (rms) [m/s]
     double margin = 1.0;    ///< what impacts may be exceeded by [-]
-    double scatter = widestScatter;
+    double scatter = widestScatter;     ///< by impacts, in the mean (rms) [d], before a list is made for fewer steps
 };
 
 /// For grains that go on as they do, and impacts that may throw them off their paths: from the candidates of the list so far.

@@ -65,6 +65,23 @@ double bounce(double speed, double restitution, double deltaT)
     return grains.velocity[0][2];
 }
 
+/// sediFoam's film between bodies that near each other: LAMMPS's pair_style lubricate/poly without logarithms [N s/m]; at a wall, its cloud's own, which
+/// is the limit of a very large second body.
+double resistanceOfSediFoam(double radius, double otherRadius, double gap)
+{
+    const double beta = otherRadius/radius;
+    return 6.0*pi*viscosity*radius*(beta*beta/(1.0 + beta)/(1.0 + beta)/(gap/radius));
+}
+
+/// What of a relative speed is left after the way through that film and back, by small explicit steps; it acts from 1e-4 to 0.1 diameters.
+double leftBySediFoam(double speed, double reducedMass, double radius, double otherRadius)
+{
+    const double least = 1e-4*2.0*radius, most = 0.1*2.0*radius, share = 1e-4;
+    for (double gap = most; gap > least; gap *= 1.0 - share) speed -= share*gap*resistanceOfSediFoam(radius, otherRadius, gap)/reducedMass;
+    for (double gap = least; gap < most; gap *= 1.0 + share) speed -= share*gap*resistanceOfSediFoam(radius, otherRadius, gap)/reducedMass;
+    return speed;
+}
+
 double massOfOne(const Scene& scene) { return scene.grains.mass[0]; }
 
 } // namespace
@@ -108,6 +125,31 @@ TEST(Lubrication, twoSpheresLoseRelativeSpeedAloneByTheirReducedRadiusAndMass)
     const auto& v = dynamics.grains().velocity;
     EXPECT_NEAR(v[1][0] - v[0][0], speed - 2.0*lost, 1e-6*speed);
     EXPECT_LT((m[0]*v[0] + m[1]*v[1] - momentum).norm(), 1e-12*momentum.norm());
+}
+
+TEST(Lubrication, takesWhatTheFilmOfSediFoamTakes)
+{
+    nscd::ContactPair film = filmedPair(0.0, 1.0);
+    film.roughness = 1e-4*2.0*radius;
+    film.lubricationRange = 0.1*2.0*radius;
+    for (double otherRadius : {radius, 3.0*radius, 1e6*radius})
+    {
+        const bool isWall = otherRadius > 100.0*radius;
+        Scene scene(3, 0.0, 0.0);
+        setAll(scene, film);
+        scene.g = Vec3::Zero();
+        scene.addGrain(Vec3(0, 0, 1.25*radius), radius);
+        if (isWall) scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+        else scene.addGrain(Vec3(0, 0, -otherRadius), otherRadius);
+        const double mass = massOfOne(scene), reducedMass = isWall ? mass : mass*scene.grains.mass[1]/(mass + scene.grains.mass[1]);
+        const double speed = 40.0*strength(radius)/reducedMass;
+        scene.grains.velocity[0] = Vec3(0, 0, -speed);
+        auto dynamics = scene.build(tight());
+        for (int step = 0; step < 100; ++step) freeStep(dynamics, 0.02*radius/speed, 1e-3*speed);
+        const double left = dynamics.grains().velocity[0][2] - (isWall ? 0.0 : dynamics.grains().velocity[1][2]);
+        const double lost = speed - leftBySediFoam(speed, reducedMass, radius, otherRadius);
+        EXPECT_NEAR(speed - left, lost, 1e-3*lost) << otherRadius;
+    }
 }
 
 TEST(Lubrication, aForceSqueezesTheFilmExponentially)
