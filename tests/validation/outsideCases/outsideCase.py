@@ -137,6 +137,32 @@ def lawOverLayers(case, gradient, time=None):
     return sum(gradient(1 - part/volume) for part, volume in zip(solid, whole))*(case.upper - case.lower)/case.layers
 
 
+def zeroOf(rising, most):
+    """Where a function that rises from below zero at 0 is zero, or most."""
+    low, high = 0.0, most
+    for _ in range(40):
+        middle = 0.5*(low + high)
+        low, high = (middle, high) if rising(middle) < 0 else (low, middle)
+    return 0.5*(low + high)
+
+
+def lawOverColumns(case, gradient, U, time=None):
+    """Pressure drop by a law, gradient(alpha, superficial velocity), where the flow through each layer of cells is shared out so that all its cells have one gradient:
+    what flows that change their place from layer to layer without resistance would have, and so the least that there may be. U: mean superficial velocity."""
+    layers = [[] for _ in range(case.layers)]
+    for layer, alpha, volume in zip(case.layerOfCells(), case.fieldValues("alpha.fluid", time), case.fieldValues("V", time)):
+        layers[layer].append((alpha, volume))
+
+    def flow(cells, wanted):
+        return sum(volume*zeroOf(lambda u: gradient(alpha, u) - wanted, 100*U) for alpha, volume in cells)/sum(volume for _, volume in cells)
+
+    def gradientOf(cells):
+        return zeroOf(lambda wanted: flow(cells, wanted) - U, 10*max(gradient(alpha, U) for alpha, _ in cells))
+
+    filled = [cells for cells in layers if max(alpha for alpha, _ in cells) < 1 - 1e-9]
+    return sum(map(gradientOf, filled))*(case.upper - case.lower)/case.layers
+
+
 def terminalSpeed(law, d, rhoP, rhoF, mu):
     """Where weight less buoyancy is the drag 3 pi mu d law(Re) u."""
     low, high = 0.0, (rhoP - rhoF)*G*d**2/(18*mu)
