@@ -19,6 +19,8 @@ namespace
 
 /// Mean diameters that a flow moves on by in a step to be looked at as one.
 constexpr double fastFlow = 0.5;
+/// Falls of a step, dt a dt, that the skin has to hold if lists are not to allow for more: those of two steps, 1 and 2.
+constexpr double fewestFallsPerList = 3.0;
 /// Of impacts, up to which lists are made by paths: by speeds, a second list of a step of rain on a bed had 250 candidates a grain.
 constexpr double widestMargin = 2.0;
 
@@ -58,7 +60,8 @@ ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& veloci
     if (margin <= widestMargin && !isListStale && stepsPerList == fewestStepsPerList)
     {
         const double fall = std::sqrt(freeChanges2/std::max<double>(1.0, static_cast<double>(freeVelocity.size())));
-        return planByPaths(list, velocity, diameter, deltaT, {fall, margin, scatterOfLists});
+        const bool isHeldBySkin = fewestFallsPerList*deltaT*fall <= reachAtRest();
+        return planByPaths(list, velocity, diameter, deltaT, {isHeldBySkin ? 0.0 : fall, margin, scatterOfLists});
     }
     if (deltaT*mean.norm() <= fastFlow*diameter) return planBySpeeds(velocity, commonSpeed, time, margin);
     return planAroundMean(velocity, mean, std::sqrt(std::max(0.0, sums[0]/number - mean.squaredNorm())), time, margin);
