@@ -87,11 +87,11 @@ void keepVelocities(const ContactList& list, std::vector<Vec3>& velocity)
     for (std::size_t body = 0; body < velocity.size(); ++body) velocity[body] = Vec3(list.bodies[body].v);
 }
 
-double sumOfChanges2(const ContactList& list, const std::vector<Vec3>& ofGrains)
+double rmsOfChanges(const ContactList& list, const std::vector<Vec3>& ofGrains)
 {
-    double sum = 0.0;
-    for (int body = 0; body < list.owned(); ++body) sum += (Vec3(list.bodies[body].v) - ofGrains[list.grainOf[body]]).squaredNorm();
-    return sum;
+    double squares = 0.0;
+    for (int body = 0; body < list.owned(); ++body) squares += (Vec3(list.bodies[body].v) - ofGrains[list.grainOf[body]]).squaredNorm();
+    return std::sqrt(squares/std::max(1, list.owned()));
 }
 
 bool isInPlane(const ContactList& list, int axis)

@@ -20,8 +20,8 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
 /// Copies the velocities of the list's own bodies [m/s].
 void keepVelocities(const ContactList& list, std::vector<Vec3>& velocity);
 
-/// Sum of the squares of what velocities of the list's own bodies differ by from their grains' [m2/s2].
-double sumOfChanges2(const ContactList& list, const std::vector<Vec3>& ofGrains);
+/// What velocities of the list's own bodies differ by from their grains', rms [m/s].
+double rmsOfChanges(const ContactList& list, const std::vector<Vec3>& ofGrains);
 
 /// Whether, to the bit, no body moves along an axis or turns about another one, and all lie in one plane, on this rank.
 bool isInPlane(const ContactList& list, int axis);

@@ -65,7 +65,7 @@ struct GrainDynamics::Implementation
     int stepsOfManyImpacts = 0;   // in a row
     PackedContacts packing;
     std::vector<Vec3> freeVelocity;   // of the list's own bodies in the present solve [m/s]
-    double freeChanges2 = 0.0;        // sum over these of the squares of what forces changed them by [m2/s2]
+    double fall = 0.0;                // what forces changed these by, rms; in serial, where lists are made by it [m/s]
     StepReport lastReport;
     bool isStepBegun = false;
     bool isAnyDrivenAnew = false;    // of the held grains here, since the last step began
@@ -94,7 +94,8 @@ struct GrainDynamics::Implementation
     void measureGrains();
     void makeWallSearch();
     bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list) && atMissedWalls.empty()); }
-    double reachAtRest() const { return rangeOfLaws(materials) + 0.5*settings.skin*diameter; }
+    double skinOfGrain() const { return 0.5*settings.skin*diameter; }
+    double reachAtRest() const { return rangeOfLaws(materials) + skinOfGrain(); }
     WallsOfStep wallsOfStep() const;
     void lookForFast(const ListPlan& plan, const std::vector<double>& reach, const std::vector<WallReach>& wallReach);
     double moveBodies(StepReport& report);

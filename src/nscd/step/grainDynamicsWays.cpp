@@ -19,8 +19,8 @@ namespace
 
 /// Mean diameters that a flow moves on by in a step to be looked at as one.
 constexpr double fastFlow = 0.5;
-/// Falls of a step, dt a dt, that the skin has to hold if lists are not to allow for more: those of two steps, 1 and 2.
-constexpr double fewestFallsPerList = 3.0;
+/// A grain that falls is off its path by one dt a dt after a step, by 1 + 2 after two. What the skin holds of that lists need not allow for.
+constexpr double fallsOfTwoSteps = 3.0;
 /// Of impacts, up to which lists are made by paths: by speeds, a second list of a step of rain on a bed had 250 candidates a grain.
 constexpr double widestMargin = 2.0;
 
@@ -59,8 +59,7 @@ ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& veloci
     // Over many steps grains do not fly straight, nor where impacts were far from what was foreseen.
     if (margin <= widestMargin && !isListStale && stepsPerList == fewestStepsPerList)
     {
-        const double fall = std::sqrt(freeChanges2/std::max<double>(1.0, static_cast<double>(freeVelocity.size())));
-        const bool isHeldBySkin = fewestFallsPerList*deltaT*fall <= reachAtRest();
+        const bool isHeldBySkin = fallsOfTwoSteps*deltaT*fall <= skinOfGrain();
         return planByPaths(list, velocity, diameter, deltaT, {isHeldBySkin ? 0.0 : fall, margin, scatterOfLists});
     }
     if (deltaT*mean.norm() <= fastFlow*diameter) return planBySpeeds(velocity, commonSpeed, time, margin);

@@ -5,8 +5,8 @@
 import math
 
 from foamCase import BoxCase
-from outsideCase import (BUILD, FIXED_FLUX, G, OUTLET, SLIP, CylinderCase, dallaValle, ergunGradient, fallSpeed, hinderedGradient, inlet, lawOverColumns, lawOverLayers,
-                         meanBetween, meanPressureAt, rong, shown, terminalSpeed, valuesOf)
+from outsideCase import (BUILD, FIXED_FLUX, G, OUTLET, SLIP, CylinderCase, dallaValle, ergunGradient, fallSpeed, hinderedGradient, inlet, lawOverLayers,
+                         lawOverSharedLayers, meanBetween, meanPressureAt, rong, shown, terminalSpeed, valuesOf)
 
 
 def singleParticleSedimentation(verdict):
@@ -30,7 +30,7 @@ def cylindricalPackedBed(verdict):
 
     They fall onto a floor that air passes, with the friction, rolling friction and restitution of the original, and are held then, as
     there. Its script draws Ergun's law for a fluid fraction of 0.4 beside the result, which is shown; judged are Rong's and Ergun's law for
-    the bed's own, layer by layer. Air prefers the loose cells at the wall, which a layer's mean does not know: what it would be at most is shown."""
+    the bed's own, layer by layer. Air prefers the loose cells at the wall, which a layer's mean does not know: the drop if it could do so freely is shown."""
     d, number, rhoP, rhoF, nu, U = 1e-3, 10000, 2500, 1, 1e-5, 0.2
 
     def stage(name, settings, deltaT, endTime):
@@ -56,7 +56,7 @@ def cylindricalPackedBed(verdict):
     verdict.near("cylindricalPackedBed: drop, Ergun's law [Pa]", drop,
                  lawOverLayers(case, lambda alpha: ergunGradient(alpha, U, d, rhoF, rhoF*nu)), 0.15)
     shown("cylindricalPackedBed: drop, Rong's law, air that finds the loose cells [Pa]", drop,
-          lawOverColumns(case, lambda alpha, u: hinderedGradient(rong, alpha, u, d, rhoF, rhoF*nu), U))
+          lawOverSharedLayers(case, lambda alpha, u: hinderedGradient(rong, alpha, u, d, rhoF, rhoF*nu), U))
     height = number*math.pi/6*d**3/(0.6*math.pi*0.01**2)
     shown("cylindricalPackedBed: drop, Ergun's law for a fluid fraction of 0.4 [Pa]", drop, ergunGradient(0.4, U, d, rhoF, rhoF*nu)*height)
     case.remove()

@@ -140,15 +140,16 @@ def lawOverLayers(case, gradient, time=None):
 def zeroOf(rising, most):
     """Where a function that rises from below zero at 0 is zero, or most."""
     low, high = 0.0, most
-    for _ in range(40):
+    for _ in range(60):
         middle = 0.5*(low + high)
         low, high = (middle, high) if rising(middle) < 0 else (low, middle)
     return 0.5*(low + high)
 
 
-def lawOverColumns(case, gradient, U, time=None):
+def lawOverSharedLayers(case, gradient, U, time=None):
     """Pressure drop by a law, gradient(alpha, superficial velocity), where the flow through each layer of cells is shared out so that all its cells have one gradient:
-    what flows that change their place from layer to layer without resistance would have, and so the least that there may be. U: mean superficial velocity."""
+    what flows that change their place from layer to layer without resistance would have, and so the least that there may be; layers with a cell without grains
+    count nothing. U: mean superficial velocity."""
     layers = [[] for _ in range(case.layers)]
     for layer, alpha, volume in zip(case.layerOfCells(), case.fieldValues("alpha.fluid", time), case.fieldValues("V", time)):
         layers[layer].append((alpha, volume))
@@ -165,11 +166,8 @@ def lawOverColumns(case, gradient, U, time=None):
 
 def terminalSpeed(law, d, rhoP, rhoF, mu):
     """Where weight less buoyancy is the drag 3 pi mu d law(Re) u."""
-    low, high = 0.0, (rhoP - rhoF)*G*d**2/(18*mu)
-    for _ in range(60):
-        u = 0.5*(low + high)
-        low, high = (u, high) if 18*mu/d**2*law(rhoF*u*d/mu)*u < (rhoP - rhoF)*G else (low, u)
-    return u
+    weight = (rhoP - rhoF)*G
+    return zeroOf(lambda u: 18*mu/d**2*law(rhoF*u*d/mu)*u - weight, weight*d**2/(18*mu))
 
 
 def fallSpeed(case):
