@@ -8,16 +8,17 @@ The error is the rms of the fluid fraction at both heights over the mean of what
 import math
 import sys
 
+from keptTable import KeptTable
 from pinnedRun import pinned
-from results import BUILD, ROOT, Table, pyplot, roundsOr, savePicture
+from results import BUILD, ROOT, pyplot, savePicture
 sys.path.insert(0, str(ROOT/"tests/validation/muellerBed"))
 from muellerBed import FLUID_FRACTION, WEIGHT, Profiles, bed, inletPressure
 
 END = 10.0
-RUNS = (("2e-3", "0"), ("1e-3", "0"), ("5e-4", "0"), ("2e-3", "0.1"), ("1e-3", "0.1"))      # time step [s], impacts
+RUNS = {"dt %s s, impacts %s" % run: run for run in (("2e-3", "0"), ("1e-3", "0"), ("5e-4", "0"), ("2e-3", "0.1"), ("1e-3", "0.1"))}   # time step [s], impacts
 LAW, RESTITUTION = "SyamlalOBrien", "0.98"
 SEDIFOAM = (0.027, 0.057, 0.036)
-COLUMNS = ["code", "knob", "deltaT", "errorPercent", "seconds", "lowerRms", "upperRms", "velocityRms", "dropErrorPercent", "grainSteps", "impactsMean"]
+COLUMNS = ["deltaT", "errorPercent", "seconds", "lowerRms", "upperRms", "velocityRms", "dropErrorPercent", "grainSteps", "impactsMean"]
 
 
 def percent(rms):
@@ -31,21 +32,16 @@ def mean(values):
     return sum(values)/len(values)
 
 
-def ours(table, deltaT, impacts):
+def ours(table, knob, run):
+    deltaT, impacts = run
     case = bed(BUILD/"cases/W9", LAW, RESTITUTION, impacts, deltaT, END)
     case.call("blockMesh")
     seconds = pinned("nscdDEMFoam", case.folder).cpu
     profiles, report = Profiles(case), case.report()
     alpha, (velocity,) = list(profiles.fluidFractionRms.values()), profiles.grainVelocityRms.values()
-    table.add("nscdDEMFoam", "dt %s s, impacts %s" % (deltaT, impacts), float(deltaT), percent(alpha), seconds, *alpha, velocity,
-              100*abs(inletPressure(case)/WEIGHT - 1), mean(report["subCycles"]), mean(report["impacts"]))
+    table.replace("nscdDEMFoam", knob, float(deltaT), percent(alpha), seconds, *alpha, velocity,
+                  100*abs(inletPressure(case)/WEIGHT - 1), mean(report["subCycles"]), mean(report["impacts"]))
     case.remove()
-
-
-def measure(table):
-    for run in RUNS:
-        ours(table, *run)
-    table.add("sediFoam (stored)", "-", math.nan, percent(SEDIFOAM[:2]), math.nan, *SEDIFOAM, *3*[math.nan])
 
 
 def draw(table):
@@ -60,4 +56,6 @@ def draw(table):
 
 
 if __name__ == "__main__":
-    draw(Table("W9", COLUMNS, larger=("errorPercent", "seconds", "velocityRms")).inRounds(measure, roundsOr(1)))
+    table = KeptTable("W9", COLUMNS, ("errorPercent", "seconds", "velocityRms")).ofRuns(RUNS, ours)
+    table.replace("sediFoam (stored)", "-", math.nan, percent(SEDIFOAM[:2]), math.nan, *SEDIFOAM, *3*[math.nan])
+    draw(table)
