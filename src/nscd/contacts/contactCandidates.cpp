@@ -84,8 +84,9 @@ struct SearchSpheres
 };
 
 /// Spheres around the middles of paths. Two bodies that may meet, |x + t w| <= radii + slacks + ranges at some t of [0, 1] with w the difference of
-/// their paths, are no further apart than that + |w|/2 at the middle, and |w| <= |path_a - c| + |path_b - c| for any c: the mean here.
-SearchSpheres spheresOnPaths(const ContactList& list, const PeriodicBox& box, double range)
+/// their paths, are no further apart than that + |w|/2 at the middle, and |w| <= |path_a - c| + |path_b - c| for any c: the mean here. Ghosts are
+/// bodies without a path, whose slack and range are their reach.
+SearchSpheres spheresOnPaths(const ContactList& list, const std::vector<double>& reach, const PeriodicBox& box, double range)
 {
     Vec3 mean = Vec3::Zero();
     for (const Vec3& path : list.path) mean += path;
@@ -98,6 +99,12 @@ SearchSpheres spheresOnPaths(const ContactList& list, const PeriodicBox& box, do
         spheres.center.push_back(box.wrap(middle));
         spheres.size.push_back(list.radius[body] + range + list.slack[body] + 0.5*(list.path[body] - mean).norm());
         if (isPeriodic) spheres.shift.push_back(spheres.center.back() - middle);
+    }
+    for (std::size_t ghost = list.owned(); ghost < reach.size(); ++ghost)
+    {
+        spheres.center.push_back(list.position[ghost]);
+        spheres.size.push_back(list.radius[ghost] + reach[ghost] + 0.5*mean.norm());
+        if (isPeriodic) spheres.shift.push_back(Vec3::Zero());
     }
     return spheres;
 }
@@ -145,7 +152,7 @@ Candidates findCandidates
     const double range = rangeOfLaws(scene.materials);
     const double largest = list.radius.empty() ? 0.0 : *std::max_element(list.radius.begin(), list.radius.end());
     const bool arePathsKnown = !list.path.empty();
-    const SearchSpheres spheres = arePathsKnown ? spheresOnPaths(list, scene.box, range) : spheresAtBodies(list, reach);
+    const SearchSpheres spheres = arePathsKnown ? spheresOnPaths(list, reach, scene.box, range) : spheresAtBodies(list, reach);
     const std::vector<BodyPair>& pairs = list.search.find(spheres.center, spheres.size, scene.box, largest, mostPairs(spheres.center.size()));
     const std::vector<Candidate> walls = findWalls(list, reach, reachToMany, wallSearch, scene.box);
 

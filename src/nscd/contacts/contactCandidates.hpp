@@ -21,7 +21,7 @@ struct Candidates
 };
 
 /// The list's position, radius and `reach` are those of own bodies and of ghosts; walls have `b` = -1. The list's search is used.
-/// Where paths are expected there are no ghosts. `reachToMany`: of ExpectedMotion.
+/// Where paths are expected, pairs with ghosts go by reach all the same. `reachToMany`: of ExpectedMotion.
 /// Cost: linear in the number of bodies for any size distribution (one grid per octave of radius + reach).
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 Candidates findCandidates

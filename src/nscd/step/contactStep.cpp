@@ -89,9 +89,10 @@ void keepVelocities(const ContactList& list, std::vector<Vec3>& velocity)
 
 double rmsOfChanges(const ContactList& list, const std::vector<Vec3>& ofGrains)
 {
-    double squares = 0.0;
-    for (int body = 0; body < list.owned(); ++body) squares += (Vec3(list.bodies[body].v) - ofGrains[list.grainOf[body]]).squaredNorm();
-    return std::sqrt(squares/std::max(1, list.owned()));
+    double sums[2] = {0.0, static_cast<double>(list.owned())};
+    for (int body = 0; body < list.owned(); ++body) sums[0] += (Vec3(list.bodies[body].v) - ofGrains[list.grainOf[body]]).squaredNorm();
+    list.halo.sum(sums, 2);
+    return std::sqrt(sums[0]/std::max(1.0, sums[1]));
 }
 
 bool isInPlane(const ContactList& list, int axis)

@@ -20,7 +20,7 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
 /// Copies the velocities of the list's own bodies [m/s].
 void keepVelocities(const ContactList& list, std::vector<Vec3>& velocity);
 
-/// What velocities of the list's own bodies differ by from their grains', rms [m/s].
+/// What velocities of the lists' own bodies differ by from their grains', rms over all ranks [m/s].
 double rmsOfChanges(const ContactList& list, const std::vector<Vec3>& ofGrains);
 
 /// Whether, to the bit, no body moves along an axis or turns about another one, and all lie in one plane, on this rank.

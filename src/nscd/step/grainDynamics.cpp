@@ -122,7 +122,7 @@ void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
     setFreeVelocities(list, grains, external, deltaT, sleep);
     if (!list.general.empty()) setFreeGeneral(list, grains, external, deltaT, sleep);
     keepVelocities(list, freeVelocity);
-    if (!exchange->isParallel()) fall = rmsOfChanges(list, grains.velocity);
+    fall = rmsOfChanges(list, grains.velocity);
     movingWalls.setVelocities(list, box, grains.shape.emptyAxis);
     if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
     chooseKernelsOfStep();
@@ -289,9 +289,11 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     self.isListNew = false;
     report.candidates = static_cast<std::size_t>(self.list.halo.sum(static_cast<double>(self.wholeList().candidates)));
 
-    giveToGrains(self.forcesOnBodies(), self.list.grainOf, self.forces);
+    const auto giveForces = [&]() { giveToGrains(self.forcesOnBodies(), self.list.grainOf, self.forces); };
+    const bool mayRebound = self.materials.anyRestitution();
+    if (!mayRebound) giveForces();
     report.maxDisplacement = self.moveBodies(report)/self.diameter;
-    if (self.materials.anyRestitution()) self.rebound(external, report.solve);
+    if (mayRebound && !self.rebound(external, report.solve)) giveForces();
     self.movingWalls.endStep();
     copyVelocities(self.list, self.grains);
     self.correctPositions(report);

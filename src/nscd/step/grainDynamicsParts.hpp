@@ -54,7 +54,7 @@ struct GrainDynamics::Implementation
     bool isListStale = true;
     bool isListNew = false;       // built since the last step
     double stepsPerList = fewestStepsPerList;
-    double scatterOfLists = widestScatter;   // [d]: see OffPaths
+    bool areListsLong = false;    // see OffPaths
     double deltaT = 0.0;          // of the step begun
     double impulseDeltaT = 0.0;   // of the step the stored impulses belong to
     ImpulseRecord restored;
@@ -65,7 +65,7 @@ struct GrainDynamics::Implementation
     int stepsOfManyImpacts = 0;   // in a row
     PackedContacts packing;
     std::vector<Vec3> freeVelocity;   // of the list's own bodies in the present solve [m/s]
-    double fall = 0.0;                // what forces changed these by, rms; in serial, where lists are made by it [m/s]
+    double fall = 0.0;                // what forces changed these by, rms [m/s]
     StepReport lastReport;
     bool isStepBegun = false;
     bool isAnyDrivenAnew = false;    // of the held grains here, since the last step began
@@ -138,7 +138,8 @@ struct GrainDynamics::Implementation
     void beginAwakeStep(bool haveWallsJumped);
     void checkReady(const ExternalForces& external) const;
     StepReport restingReport() const;
-    void rebound(const ExternalForces& external, SolveReport& report);
+    /// Returns whether there was any, whose forces grains have then.
+    bool rebound(const ExternalForces& external, SolveReport& report);
     SolveReport judgedRebound(const std::vector<Body>& freeBodies, const Shock& inelastic, SolveReport shock);
     OverlapStatistics placeContacts();
     void correctPositions(StepReport& report);

@@ -12,7 +12,7 @@
 namespace nscd
 {
 
-void GrainDynamics::Implementation::rebound(const ExternalForces& external, SolveReport& report)
+bool GrainDynamics::Implementation::rebound(const ExternalForces& external, SolveReport& report)
 {
     const auto timer = times.time(GrainPart::rebound);
     Shock inelastic = shockImpulses.release();
@@ -26,7 +26,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     list.bodies = inelastic.bodies;
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
     // What the motion leaves a film between does not hit, however thin the film.
-    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, materials.anyRoughness() ? 0.0 : deadBand())) return;
+    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, materials.anyRoughness() ? 0.0 : deadBand())) return false;
 
     ContactProblem problem = makeProblem(external.speedScale);
     problem.times = nullptr;   // all of it is the rebound
@@ -48,8 +48,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
         giveUpSleep();
         prepareSolve(external);
         if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
-        rebound(external, report);
-        return;
+        return rebound(external, report);
     }
     const SolveReport judged = judgedRebound(freeBodies, inelastic, shock);
     report = worstOf(judged, report);
@@ -62,6 +61,7 @@ void GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     // The next step starts from the impulses of the motion, not from those of the shock.
     swapImpulses(list, inelastic);
     if (!sleep.any()) shockImpulses.keep(std::move(inelastic));
+    return true;
 }
 
 SolveReport GrainDynamics::Implementation::judgedRebound(const std::vector<Body>& freeBodies, const Shock& inelastic, SolveReport shock)

@@ -45,8 +45,7 @@ void GrainDynamics::Implementation::fitStepsPerList()
     exchange->sum(sums, 2);
     if (sums[0] < fewCandidates*sums[1]) stepsPerList = std::min(2.0*stepsPerList, mostStepsPerList);
     else if (sums[0] > manyCandidates*sums[1]) stepsPerList = std::max(0.5*stepsPerList, fewestStepsPerList);
-    if (sums[0] > manyOfLongLists*sums[1]) scatterOfLists = widestScatterOfLongLists;
-    else if (sums[0] < fewOfLongLists*sums[1]) scatterOfLists = widestScatter;
+    areListsLong = sums[0] > (areListsLong ? fewOfLongLists : manyOfLongLists)*sums[1];
 }
 
 void GrainDynamics::Implementation::chooseKernelsOfStep()
@@ -194,7 +193,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     self.list = ContactList();
     self.shockImpulses.clear();
     self.stepsPerList = fewestStepsPerList;
-    self.scatterOfLists = widestScatter;
+    self.areListsLong = false;
     self.isListStale = true;
     self.isStepBegun = false;
     return byIdentity(self.restored, self.grains);
@@ -218,7 +217,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.list = ContactList();
     self.shockImpulses.clear();
     self.stepsPerList = fewestStepsPerList;
-    self.scatterOfLists = widestScatter;
+    self.areListsLong = false;
     self.isListStale = true;
     self.isStepBegun = false;
 }

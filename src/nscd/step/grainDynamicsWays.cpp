@@ -54,13 +54,13 @@ ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& veloci
     const double time = stepsPerList*deltaT;
     const Vec3 mean = Vec3(sums[2], sums[3], sums[4])/number;
     if (margin == 1.0 && box.any()) refuseBeyondPeriods(velocity, mean);
-    // Pairs on two ranks are listed by reach alone, so that longer ones would cost more there.
-    if (exchange->isParallel()) return planBySpeeds(velocity, commonSpeed, time, margin);
+    // Pairs on two ranks are listed by reach alone, so that longer ones would cost more there: there paths are for lists that became long by speeds.
+    if (exchange->isParallel() && (!areListsLong || isListStale || margin > widestMargin)) return planBySpeeds(velocity, commonSpeed, time, margin);
     // Over many steps grains do not fly straight, nor where impacts were far from what was foreseen.
     if (margin <= widestMargin && !isListStale && stepsPerList == fewestStepsPerList)
     {
         const bool isHeldBySkin = fallsOfTwoSteps*deltaT*fall <= skinOfGrain();
-        return planByPaths(list, velocity, diameter, deltaT, {isHeldBySkin ? 0.0 : fall, margin, scatterOfLists});
+        return planByPaths(list, velocity, diameter, deltaT, {isHeldBySkin ? 0.0 : fall, margin, areListsLong});
     }
     if (deltaT*mean.norm() <= fastFlow*diameter) return planBySpeeds(velocity, commonSpeed, time, margin);
     return planAroundMean(velocity, mean, std::sqrt(std::max(0.0, sums[0]/number - mean.squaredNorm())), time, margin);

@@ -20,24 +20,27 @@ constexpr double impact = 1.0;
 /// bed: 80 a grain in place of 21). With a quarter of it a collapse needs two lists in place of one.
 constexpr double widestMiss = 1.0;
 /// Steps that grains are expected to move on as they do. In a collapse lists cost 9 ms a step with 4; with 2 and 3 steps 16 and 13, and 5 gain nothing. Where
-/// grains hit each other at speed, as in rain on a bed, one list for that long holds more candidates than two for half of it.
-constexpr double mostSteps = 4.0, fewestSteps = 1.5;
+/// grains hit each other at speed, as in rain on a bed, one list for that long holds more candidates than two for half of it; long ones last no longer for it.
+constexpr double mostSteps = 4.0, fewestSteps = 1.5, fewestStepsOfLongLists = 1.0;
+/// How far impacts may throw grains off their paths in the mean (rms) [d] before lists are made for fewer steps: at first, and while lists are long.
+constexpr double widestScatter = 0.5, widestScatterOfLongLists = 0.25;
 
-/// Of each grain: the speed at which an impact of one that passes within `miss` [m] in a time may throw it off its path. Two bodies on straight paths
-/// come no nearer than along their present normal.
-std::vector<double> speedsOfImpacts(const ContactList& list, const std::vector<Vec3>& velocity, double time, double miss)
+/// Of each grain: the speed at which an impact of one that passes within `miss` [m] in a time may throw it off its path; by the time that is left after it, in
+/// the mean over all of it, where `isByTimeLeft`. Two bodies on straight paths come no nearer than along their present normal.
+std::vector<double> speedsOfImpacts(const ContactList& list, const std::vector<Vec3>& velocity, double time, double miss, bool isByTimeLeft)
 {
-    std::vector<Vec3> ofBody(list.owned());
-    for (int body = 0; body < list.owned(); ++body) ofBody[body] = velocity[list.grainOf[body]];
-    std::vector<double> relative2(list.owned(), 0.0);
+    std::vector<Vec3> ofBody(list.firstWallBody());
+    for (int body = 0; body < list.firstWallBody(); ++body) ofBody[body] = body < list.owned() ? velocity[list.grainOf[body]] : Vec3(list.bodies[body].v);
+    std::vector<double> relative2(ofBody.size(), 0.0);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         const ContactBlock& block = list.blocks[slot/blockLanes];
         const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
-        if (b >= list.owned()) continue;
+        if (b >= list.firstWallBody()) continue;
         const Vec3 u = ofBody[a] - ofBody[b];
-        if (list.gap[slot] + time*normal(list, slot).dot(u) > miss) continue;
-        const double speed2 = u.squaredNorm();
+        const double way = list.gap[slot] - miss, approach = -time*normal(list, slot).dot(u);
+        if (way > approach) continue;
+        const double share = isByTimeLeft && way > 0.0 ? 1.0 - way/approach : 1.0, speed2 = share*share*u.squaredNorm();
         relative2[a] = std::max(relative2[a], speed2);
         relative2[b] = std::max(relative2[b], speed2);
     }
@@ -46,27 +49,32 @@ std::vector<double> speedsOfImpacts(const ContactList& list, const std::vector<V
     return speed;
 }
 
-double rms(const std::vector<double>& speeds)
+/// Over all ranks.
+double rms(const std::vector<double>& speeds, const Halo& halo)
 {
-    double squares = 0.0;
-    for (double speed : speeds) squares += speed*speed;
-    return std::sqrt(squares/std::max<double>(1.0, static_cast<double>(speeds.size())));
+    double sums[2] = {0.0, static_cast<double>(speeds.size())};
+    for (double speed : speeds) sums[0] += speed*speed;
+    halo.sum(sums, 2);
+    return std::sqrt(sums[0]/std::max(1.0, sums[1]));
 }
 
 /// Steps for which impacts throw grains off their paths by `widest` [m] in the mean (rms), within limits.
-double stepsOfPaths(double impacts, double widest, double deltaT)
+double stepsOfPaths(double impacts, double widest, double fewest, double deltaT)
 {
     const double scatter = deltaT*impacts;
-    return mostSteps*scatter <= widest ? mostSteps : std::max(fewestSteps, widest/scatter);
+    return mostSteps*scatter <= widest ? mostSteps : std::max(fewest, widest/scatter);
 }
 
 } // namespace
 
 ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity, double diameter, double deltaT, const OffPaths& off)
 {
+    const double miss = widestMiss*diameter, widest = (off.areListsLong ? widestScatterOfLongLists : widestScatter)*diameter;
     ListPlan plan;
-    plan.speed = speedsOfImpacts(list, velocity, mostSteps*deltaT, widestMiss*diameter);
-    const double impacts = rms(plan.speed), steps = stepsOfPaths(off.margin*impacts, off.scatter*diameter, deltaT);
+    plan.speed = speedsOfImpacts(list, velocity, mostSteps*deltaT, miss, false);
+    const double impacts = rms(plan.speed, list.halo);
+    const double steps = stepsOfPaths(off.margin*impacts, widest, off.areListsLong ? fewestStepsOfLongLists : fewestSteps, deltaT);
+    if (off.areListsLong) plan.speed = speedsOfImpacts(list, velocity, steps*deltaT, miss, true);
     plan.expected.time = steps*deltaT;
     plan.expected.velocity = velocity;
     // After n steps a grain that falls is off its path by n (n + 1)/2 a dt^2.

@@ -16,15 +16,12 @@ struct ListPlan
     ExpectedMotion expected;      ///< without velocities where no paths are expected
 };
 
-/// How far impacts may throw grains off their paths in the mean (rms) [d] before lists are made for fewer steps: at first, and while lists are long.
-constexpr double widestScatter = 0.5, widestScatterOfLongLists = 0.25;
-
 /// What a plan by paths allows for beside the impacts that the list so far foresees.
 struct OffPaths
 {
     double fall = 0.0;      ///< what forces change a grain's velocity by in a step, in the mean (rms) [m/s]
     double margin = 1.0;    ///< what impacts may be exceeded by [-]
-    double scatter = widestScatter;     ///< by impacts, in the mean (rms) [d], before a list is made for fewer steps
+    bool areListsLong = false;    ///< many candidates a grain so far: fewer then, for fewer steps and for impacts by the time that is left after them
 };
 
 /// For grains that go on as they do, and impacts that may throw them off their paths: from the candidates of the list so far.

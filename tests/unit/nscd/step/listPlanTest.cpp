@@ -49,7 +49,7 @@ TEST(ListPlan, grainsThatMeetMayBeThrownOffByTheirRelativeVelocity)
 TEST(ListPlan, strongerImpactsThanForeseenMayHitAnyGrainInAShorterList)
 {
     const double speed = 1.2, margin = 1.5;
-    const nscd::ListPlan plan = planOf(fiveGrains(speed), {0.0, margin, 0.25});
+    const nscd::ListPlan plan = planOf(fiveGrains(speed), {0.0, margin, true});
     const double scatter = margin*2*speed*std::sqrt(2.0/5.0);
     EXPECT_DOUBLE_EQ(plan.speed[0], speed + margin*2*speed);
     EXPECT_DOUBLE_EQ(plan.speed[2], speed + (margin - 1.0)*2*speed*std::sqrt(2.0/5.0));
