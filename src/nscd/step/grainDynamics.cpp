@@ -122,7 +122,7 @@ void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
     setFreeVelocities(list, grains, external, deltaT, sleep);
     if (!list.general.empty()) setFreeGeneral(list, grains, external, deltaT, sleep);
     keepVelocities(list, freeVelocity);
-    fall = rmsOfChanges(list, grains.velocity);
+    if (!exchange->isParallel() || areListsLong) fall = rmsOfChanges(list, grains.velocity);
     movingWalls.setVelocities(list, box, grains.shape.emptyAxis);
     if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
     chooseKernelsOfStep();

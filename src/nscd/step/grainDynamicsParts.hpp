@@ -65,7 +65,7 @@ struct GrainDynamics::Implementation
     int stepsOfManyImpacts = 0;   // in a row
     PackedContacts packing;
     std::vector<Vec3> freeVelocity;   // of the list's own bodies in the present solve [m/s]
-    double fall = 0.0;                // what forces changed these by, rms [m/s]
+    double fall = 0.0;                // what forces changed these by, rms; on several ranks where lists are long [m/s]
     StepReport lastReport;
     bool isStepBegun = false;
     bool isAnyDrivenAnew = false;    // of the held grains here, since the last step began
