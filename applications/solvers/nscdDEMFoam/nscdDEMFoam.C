@@ -41,6 +41,21 @@ void runSteps(Foam::Time& time, Foam::fvMesh& mesh)
     run.finish();
 }
 
+/// OpenFOAM keeps results of expressions, which some of its function objects ask for, in a static object that is registered in the Time: at the end of the
+/// program it would look for its place in a Time that is gone, and often ends the run with a segmentation fault then.
+class ExpressionsLeaveInTime
+{
+public:
+    explicit ExpressionsLeaveInTime(const Foam::Time& time) : time_(time) {}
+    ~ExpressionsLeaveInTime()
+    {
+        for (const Foam::word& name : time_.names("exprResultGlobals")) time_.lookupObjectRef<Foam::regIOobject>(name).checkOut();
+    }
+
+private:
+    const Foam::Time& time_;
+};
+
 void runCase(const Foam::argList& args)
 {
     using namespace Foam;
@@ -48,6 +63,7 @@ void runCase(const Foam::argList& args)
     nscdCoupling::completeTimes(args);
     nscdCoupling::checkControlText(args);
     #include "createTime.H"
+    const ExpressionsLeaveInTime expressions(runTime);
     nscdCoupling::checkStartText(runTime);
     nscdCoupling::checkFunctionTypes(runTime);
     autoPtr<fvMesh> mesh = nscdCoupling::readMesh(runTime);

@@ -54,8 +54,9 @@ ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& veloci
     const double time = stepsPerList*deltaT;
     const Vec3 mean = Vec3(sums[2], sums[3], sums[4])/number;
     if (margin == 1.0 && box.any()) refuseBeyondPeriods(velocity, mean);
-    // Pairs on two ranks are listed by reach alone, so that longer ones would cost more there: there paths are for lists that became long by speeds.
-    if (exchange->isParallel() && (!areListsLong || isListStale || margin > widestMargin)) return planBySpeeds(velocity, commonSpeed, time, margin);
+    // Pairs on two ranks are listed by reach alone, so that longer ones would cost more there: there paths are for lists that became long by speeds; and where
+    // nothing is periodic, as the middles of long paths and ghosts may be several periods apart.
+    if (exchange->isParallel() && (!areListsLong || isListStale || margin > widestMargin || box.any())) return planBySpeeds(velocity, commonSpeed, time, margin);
     // Over many steps grains do not fly straight, nor where impacts were far from what was foreseen.
     if (margin <= widestMargin && !isListStale && stepsPerList == fewestStepsPerList)
     {

@@ -50,7 +50,8 @@ void findFastPairs(ContactList& list)
         const int a = list.blocks[slot/blockLanes].a[slot % blockLanes], b = list.blocks[slot/blockLanes].b[slot % blockLanes];
         const double fast = fastShare*(list.radius[a] + list.radius[b]);
         const double left = fast - slack(a) - slack(b);
-        const bool isFast = left < 0.0 || (path(a) - path(b)).squaredNorm() > left*left || list.gap[slot] > fast;
+        const bool isPathUnknown = !list.path.empty() && std::max(a, b) >= list.owned();   // a ghost's
+        const bool isFast = isPathUnknown || left < 0.0 || (path(a) - path(b)).squaredNorm() > left*left || list.gap[slot] > fast;
         if (isFast) list.fastPairs.push_back(slot);
     }
 }
