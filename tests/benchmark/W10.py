@@ -27,10 +27,6 @@ WEIGHT = 24750*math.pi/6*0.0025**3*2526*9.81/(0.015*0.15)   # of the grains over
 COLUMNS = ["deltaT", "errorPercent", "seconds", "meanHeight", "heightError", "meanDrop", "dropError", "dropToWeightPercent", "dropDeviation", "grainSteps", "impactsMean"]
 
 
-def mean(values):
-    return sum(values)/len(values)
-
-
 def relate(table):
     """Errors of all rows, once there is a reference."""
     heights, error = table.column("meanHeight", knob=REFERENCE), COLUMNS.index("errorPercent") + 2
@@ -56,7 +52,7 @@ def ours(table, knob, run):
     means = [[values[block].mean() for block in blocks] for values in (heights, drops)]
     height, drop = [(numpy.mean(each), numpy.std(each, ddof=1)/math.sqrt(len(each))) for each in means]
     table.replace("reference" if knob == REFERENCE else "nscdDEMFoam", knob, deltaT, math.nan, seconds, *height, *drop, 100*abs(drop[0]/WEIGHT - 1),
-                  drops[times > TRANSIENT].std(), mean(report["subCycles"]), mean(report["impacts"]))
+                  drops[times > TRANSIENT].std(), numpy.mean(report["subCycles"]), numpy.mean(report["impacts"]))
     relate(table)
     shutil.rmtree(folder)
 

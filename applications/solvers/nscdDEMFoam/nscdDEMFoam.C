@@ -41,8 +41,8 @@ void runSteps(Foam::Time& time, Foam::fvMesh& mesh)
     run.finish();
 }
 
-/// OpenFOAM keeps results of expressions, which some of its function objects ask for, in a static object that is registered in the Time: at the end of the
-/// program it would look for its place in a Time that is gone, and often ends the run with a segmentation fault then.
+/// OpenFOAM keeps results of expressions, which boundary conditions such as exprFixedValue ask for, in a static object that is registered in the Time: at the end
+/// of the program it would look for its place in a Time that is gone, and often ends the run with a segmentation fault then.
 class ExpressionsLeaveInTime
 {
 public:

@@ -56,6 +56,22 @@ TEST(ListPlan, strongerImpactsThanForeseenMayHitAnyGrainInAShorterList)
     EXPECT_DOUBLE_EQ(plan.expected.time, 0.25*2*radius/scatter);
 }
 
+TEST(ListPlan, inLongListsImpactsCountByTheTimeThatIsLeft)
+{
+    // 1.5 d apart, of which they come by one in a step: after half of it they are within d, as near as impacts are looked for.
+    const double speed = radius/deltaT;
+    Scene scene(3, 0.3, 0.0);
+    for (const double x : {0.0, 5*radius})
+    {
+        scene.addGrain(Vec3(x, 0, 0), radius);
+        scene.grains.velocity.back() = Vec3(x > 0 ? -speed : speed, 0, 0);
+    }
+    const nscd::ListPlan plan = planOf(scene), ofLongLists = planOf(scene, {0.0, 1.0, true});
+    EXPECT_DOUBLE_EQ(plan.speed[0], 3*speed);
+    EXPECT_DOUBLE_EQ(ofLongLists.expected.time, deltaT);
+    for (int i = 0; i < 2; ++i) EXPECT_NEAR(ofLongLists.speed[i], 2*speed, 1e-12*speed) << i;
+}
+
 TEST(ListPlan, grainsMayFallForAsLongAsTheListLasts)
 {
     const double fall = 0.03, speed = 0.01;
