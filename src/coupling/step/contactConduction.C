@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Hertz' contact radius, and the network of contacts as a sparse matrix.
+// Hertz' contact radius, and conjugate gradients over the contacts of all ranks.
 #include "coupling/step/contactConduction.H"
 
 #include "coupling/step/heatBalance.H"
 
-#include <Eigen/SparseCholesky>
-
+#include <algorithm>
 #include <cmath>
 
 namespace Foam
@@ -18,44 +17,37 @@ namespace nscdCoupling
 namespace
 {
 
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+/// Changes below this share of the largest temperature are round-off.
+constexpr scalar roundOff = 1e-14;
+/// Reached by none but steps of a million times what a grain takes to warm through its contacts.
+constexpr int maxIterations = 10000;
+
 /// (1 - nu^2)/E [1/Pa]
 scalar compliance(const GrainHeatProperties& material) { return (1 - sqr(material.poissonRatio))/material.youngModulus; }
 
-const GrainHeatProperties& propertiesOf(const HeatSettings& settings, const ::nscd::Grains& grains, std::size_t i)
+const GrainHeatProperties& propertiesOf(const HeatSettings& settings, int material) { return settings.materials[std::size_t(material)]; }
+
+/// What is left in the equations, over all ranks.
+struct Residual
 {
-    return settings.materials[std::size_t(grains.material[i])];
+    scalar energy;    ///< product of what is left and the step that the preconditioner makes of it [J K]
+    scalar largest;   ///< of such steps [K]
+};
+
+Residual residualOf(const ArrayXd& left, const ArrayXd& step, const ::nscd::Exchange& exchange)
+{
+    double sums[2] = {(left*step).sum(), 0}, largest = step.size() > 0 ? step.abs().maxCoeff() : 0;
+    exchange.sumAndMax(sums, largest);
+    return {sums[0], largest};
 }
 
-/// T^{n+1} of backward Euler. The row of a held grain says that its temperature stays; its neighbors have that on their right-hand side.
-Eigen::VectorXd endTemperatures
-(
-    const HeatSettings& settings, const ::nscd::Grains& grains, const std::vector<ContactConductance>& contacts,
-    const std::vector<scalar>& temperature, scalar deltaT
-)
+scalar sumOverRanks(scalar value, const ::nscd::Exchange& exchange)
 {
-    const auto n = Eigen::Index(grains.nOwned);
-    const auto isHeld = [&](std::size_t i) { return propertiesOf(settings, grains, i).isHeld; };
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::VectorXd right(n);
-    for (std::size_t i = 0; i < grains.nOwned; ++i)
-    {
-        const scalar storage = isHeld(i) ? 1 : heatCapacityOf(settings, grains, i)/deltaT;
-        entries.emplace_back(i, i, storage);
-        right[Eigen::Index(i)] = storage*temperature[i];
-    }
-    for (const ContactConductance& contact : contacts)
-    {
-        for (const auto& [i, j] : {std::pair(contact.a, contact.b), std::pair(contact.b, contact.a)})
-        {
-            if (isHeld(i)) continue;
-            entries.emplace_back(i, i, contact.conductance);
-            if (isHeld(j)) right[Eigen::Index(i)] += contact.conductance*temperature[j];
-            else entries.emplace_back(i, j, -contact.conductance);
-        }
-    }
-    Eigen::SparseMatrix<double> matrix(n, n);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right);
+    exchange.sum(&value, 1);
+    return value;
 }
 
 } // namespace
@@ -74,9 +66,11 @@ scalar contactConductance
 
 std::vector<ContactConductance> contactConductances
 (
-    const HeatSettings& settings, const ::nscd::Grains& grains, const std::vector<::nscd::LoadedContact>& contacts, scalar deltaT
+    const HeatSettings& settings, const ::nscd::Grains& grains, const std::vector<::nscd::GhostGrain>& ghosts,
+    const std::vector<::nscd::LoadedContact>& contacts, scalar deltaT
 )
 {
+    const auto materialOf = [&](std::size_t i) { return i < grains.nOwned ? grains.material[i] : ghosts[i - grains.nOwned].material; };
     std::vector<ContactConductance> found;
     for (const ::nscd::LoadedContact& contact : contacts)
     {
@@ -85,29 +79,100 @@ std::vector<ContactConductance> contactConductances
         const auto a = std::size_t(contact.a), b = std::size_t(contact.b);
         found.push_back({a, b, contactConductance
         (
-            propertiesOf(settings, grains, a), propertiesOf(settings, grains, b), grains.radius[a], grains.radius[b], force
+            propertiesOf(settings, materialOf(a)), propertiesOf(settings, materialOf(b)), grains.radius[a], contact.radiusB, force
         )});
     }
     return found;
 }
 
 
-std::vector<scalar> conductedHeat
+ContactConduction::ContactConduction
 (
-    const HeatSettings& settings, const ::nscd::Grains& grains, const std::vector<ContactConductance>& contacts,
-    const std::vector<scalar>& temperature, scalar deltaT
+    const HeatSettings& settings, const ::nscd::Grains& grains, std::vector<ContactConductance> contacts,
+    const std::vector<::nscd::GhostGrain>& ghosts, ::nscd::Exchange& exchange
 )
+:
+    contacts_(std::move(contacts)),
+    exchange_(exchange),
+    nGhosts_(Index(ghosts.size())),
+    shared_(exchange.connect(ghosts)),
+    capacity_(Index(grains.nOwned)),
+    isFree_(Index(grains.nOwned))
 {
-    std::vector<scalar> heat(grains.nOwned, 0.0);
-    if (contacts.empty()) return heat;
-    const Eigen::VectorXd end = endTemperatures(settings, grains, contacts, temperature, deltaT);
-    for (const ContactConductance& contact : contacts)
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
-        const scalar toA = deltaT*contact.conductance*(end[Eigen::Index(contact.b)] - end[Eigen::Index(contact.a)]);
-        heat[contact.a] += toA;
-        heat[contact.b] -= toA;
+        capacity_[Index(i)] = heatCapacityOf(settings, grains, i);
+        isFree_[Index(i)] = propertiesOf(settings, grains.material[i]).isHeld ? 0 : 1;
     }
-    return heat;
+    ArrayXd sums = ArrayXd::Zero(capacity_.size() + nGhosts_);
+    for (const ContactConductance& contact : contacts_)
+    {
+        sums[Index(contact.a)] += contact.conductance;
+        sums[Index(contact.b)] += contact.conductance;
+    }
+    conductance_ = ofOwners(sums);
+}
+
+
+ArrayXd ContactConduction::withGhosts(const ArrayXd& own) const
+{
+    std::vector<double> shared, ghosts;
+    for (const int i : shared_) shared.push_back(own[i]);
+    exchange_.toGhosts(shared, ghosts, 1);
+    ArrayXd all(own.size() + nGhosts_);
+    all << own, Eigen::Map<const ArrayXd>(ghosts.data(), nGhosts_);
+    return all;
+}
+
+
+/// Sums of what own grains have here and as ghosts elsewhere.
+ArrayXd ContactConduction::ofOwners(const ArrayXd& withGhosts) const
+{
+    ArrayXd own = withGhosts.head(capacity_.size());
+    const std::vector<double> ghosts(withGhosts.data() + own.size(), withGhosts.data() + withGhosts.size());
+    std::vector<double> shared;
+    exchange_.toOwners(ghosts, shared, 1);
+    for (std::size_t k = 0; k < shared_.size(); ++k) own[shared_[k]] += shared[k];
+    return own;
+}
+
+
+/// Heat to each own grain at these temperatures [W].
+ArrayXd ContactConduction::flow(const ArrayXd& temperature) const
+{
+    const ArrayXd all = withGhosts(temperature);
+    ArrayXd heat = ArrayXd::Zero(all.size());
+    for (const ContactConductance& contact : contacts_)
+    {
+        const scalar toA = contact.conductance*(all[Index(contact.b)] - all[Index(contact.a)]);
+        heat[Index(contact.a)] += toA;
+        heat[Index(contact.b)] -= toA;
+    }
+    return ofOwners(heat);
+}
+
+
+// A held grain's equation is left out: no step, and no direction, has a part of it.
+ConductedHeat ContactConduction::over(const std::vector<scalar>& temperature, scalar deltaT) const
+{
+    const ArrayXd start = Eigen::Map<const ArrayXd>(temperature.data(), capacity_.size());
+    const ArrayXd inverseDiagonal = isFree_/(capacity_ + deltaT*conductance_);
+    ArrayXd change = ArrayXd::Zero(start.size()), left = deltaT*flow(start), step = inverseDiagonal*left, direction = step;
+    Residual residual = residualOf(left, step, exchange_);
+    const scalar accepted = roundOff*residualOf(start, start, exchange_).largest;
+    for (int k = 0; residual.largest > accepted && k < maxIterations; ++k)
+    {
+        const ArrayXd taken = capacity_*direction - deltaT*flow(direction);
+        const scalar share = residual.energy/sumOverRanks((direction*taken).sum(), exchange_);
+        change += share*direction;
+        left -= share*taken;
+        step = inverseDiagonal*left;
+        const Residual next = residualOf(left, step, exchange_);
+        direction = step + next.energy/residual.energy*direction;
+        residual = next;
+    }
+    const ArrayXd heat = deltaT*flow(start + change);
+    return {std::vector<scalar>(heat.begin(), heat.end()), residual.largest > accepted ? residual.largest : 0};
 }
 
 } // namespace nscdCoupling

@@ -265,7 +265,7 @@ void CoupledRun::startHeat()
     checkHeatNumerics(immersion_->fluid->phi());
     heat_ = std::make_unique<GrainHeat>
     (
-        *properties_.heat, *immersion_->fluid, immersion_->sources.fluidFraction, dynamics_->grains(), *temperature_, *ranks_.exchange()
+        *properties_.heat, *immersion_->fluid, immersion_->sources.fluidFraction, dynamics_->grains(), *temperature_, ranks_.newExchange()
     );
 }
 

@@ -34,7 +34,7 @@ const HeatSettings& forSpheres(const HeatSettings& settings, const ::nscd::Grain
 GrainHeat::GrainHeat
 (
     const HeatSettings& settings, FluidSolver& fluid, const volScalarField& fluidFraction, const ::nscd::Grains& grains,
-    std::vector<scalar>& temperature, const ::nscd::Exchange& exchange
+    std::vector<scalar>& temperature, std::shared_ptr<::nscd::Exchange> exchange
 )
 :
     settings_(forSpheres(settings, grains)),
@@ -42,8 +42,8 @@ GrainHeat::GrainHeat
     law_(closures::findNusseltLaw(settings.law)),
     energy_(fluid, fluidFraction, settings.fluid),
     temperature_(temperature),
-    exchange_(exchange),
-    balance_(settings, exchange)
+    exchange_(std::move(exchange)),
+    balance_(settings, *exchange_)
 {
     startLift();
     welcome(grains);
@@ -79,13 +79,20 @@ void GrainHeat::liftFluid()
 void GrainHeat::conduct(const ::nscd::GrainDynamics& dynamics, scalar contactDeltaT, scalar deltaT)
 {
     if (!settings_.hasContacts) return;
-    const std::vector<ContactConductance> contacts = contactConductances(settings_, dynamics.grains(), dynamics.contacts(), contactDeltaT);
-    const std::vector<scalar> heat = conductedHeat(settings_, dynamics.grains(), contacts, temperature_, deltaT);
-    for (std::size_t i = 0; i < heat.size(); ++i)
+    const ::nscd::Grains& grains = dynamics.grains();
+    const std::vector<::nscd::GhostGrain>& ghosts = dynamics.ghostsInContacts();
+    const ContactConduction network
+    (
+        settings_, grains, contactConductances(settings_, grains, ghosts, dynamics.contacts(), contactDeltaT), ghosts, *exchange_
+    );
+    const ConductedHeat conducted = network.over(temperature_, deltaT);
+    for (std::size_t i = 0; i < temperature_.size(); ++i)
     {
-        if (propertiesOf(dynamics.grains(), i).isHeld) balance_.hold(heat[i]);
-        else temperature_[i] += heat[i]/heatCapacityOf(settings_, dynamics.grains(), i);
+        if (propertiesOf(grains, i).isHeld) balance_.hold(conducted.heat[i]);
+        else temperature_[i] += conducted.heat[i]/heatCapacityOf(settings_, grains, i);
     }
+    if (conducted.left <= 0) return;
+    Info<< "  heat: temperatures along contacts did not converge, and are off by some " << conducted.left << " K" << nl;
 }
 
 
@@ -148,7 +155,7 @@ std::vector<scalar> GrainHeat::conductances
 void GrainHeat::noteBiot(scalar largest)
 {
     if (isBiotNoted_) return;
-    exchange_.max(&largest, 1);
+    exchange_->max(&largest, 1);
     if (largest <= largestBiot) return;
     isBiotNoted_ = true;
     Info<< "  heat: a grain's Biot number h d/(6 k) is " << largest << ", above " << largestBiot

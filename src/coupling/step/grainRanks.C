@@ -69,10 +69,14 @@ void checkDuplicates(const ::nscd::IdDirectory& directory, const polyMesh& mesh)
 GrainRanks::GrainRanks(scalar maxLoadImbalance)
 :
     mpi_(Pstream::parRun() ? std::make_shared<::nscd::MpiExchange>() : nullptr),
-    exchange_(mpi_),
+    exchange_(mpi_ ? mpi_ : newExchange()),
     maxLoadImbalance_(maxLoadImbalance)
+{}
+
+std::shared_ptr<::nscd::Exchange> GrainRanks::newExchange() const
 {
-    if (!mpi_) exchange_ = std::make_shared<::nscd::Exchange>();
+    if (isParallel()) return std::make_shared<::nscd::MpiExchange>();
+    return std::make_shared<::nscd::Exchange>();
 }
 
 const ::nscd::RankTree& GrainRanks::tree() const { return mpi_->tree(); }

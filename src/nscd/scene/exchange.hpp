@@ -36,7 +36,7 @@ struct ImpulseForOwner
     Vec3 impulse;  ///< [N s]
 };
 
-/// What the grain library needs from other ranks. One object per GrainDynamics; the base class is a serial run.
+/// What the grain library needs from other ranks. One object per GrainDynamics, or other user of connect(); the base class is a serial run.
 /// All functions are collective: every rank calls them in the same order.
 class Exchange
 {

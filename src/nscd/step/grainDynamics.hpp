@@ -32,7 +32,7 @@ struct Prediction
 struct LoadedContact
 {
     int a;         ///< index of a grain
-    int b;         ///< index of a grain; not less than the number of own grains for one of another rank
+    int b;         ///< index of a grain; from the number of own grains on: of GrainDynamics::ghostsInContacts()
     std::int64_t idA;
     std::int64_t idB;
     Vec3 normal;   ///< unit, from b to a, at the present positions
@@ -112,6 +112,8 @@ public:
     /// To be called before the next beginStep(), which may list contacts anew and then knows of the motion's impulses alone.
     /// Equation: sum of impulses on a grain = m dv - dt (f - gamma v)
     std::vector<LoadedContact> contacts() const;
+    /// Grains of other ranks that contacts() may touch, until grains are set. Each contact between two ranks is solved on one of them.
+    const std::vector<GhostGrain>& ghostsInContacts() const;
 
     /// Impulses of all contacts solved on this rank that carry one. After this call the next step searches anew, as a restarted run does,
     /// so that a run that continues and one that restarts do the same to the bit.

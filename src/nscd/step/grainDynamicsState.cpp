@@ -185,6 +185,8 @@ std::vector<LoadedContact> GrainDynamics::contacts() const
     return loaded;
 }
 
+const std::vector<GhostGrain>& GrainDynamics::ghostsInContacts() const { return self_->wholeList().ghosts; }
+
 std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
 {
     Implementation& self = *self_;

@@ -31,9 +31,9 @@ void expectSame(const ProgramCase& alone, const ProgramCase& together, double sh
 
 void expectBalance(const ProgramCase& c, const std::string& start)
 {
-    const std::vector<double> error = c.reported(start, "heatError"), fluid = c.reported(start, "heatFluid");
+    const std::vector<double> error = c.reported(start, "heatError"), fluid = c.reported(start, "heatFluid"), grains = c.reported(start, "heatGrains");
     EXPECT_FALSE(error.empty());
-    for (std::size_t k = 0; k < error.size(); ++k) EXPECT_LT(std::abs(error[k]), 1e-13*fluid[k]) << k;
+    for (std::size_t k = 0; k < error.size(); ++k) EXPECT_LT(std::abs(error[k]), 1e-13*(fluid[k] + grains[k])) << k;
 }
 
 } // namespace
@@ -49,16 +49,31 @@ TEST(Ranks, shareHeatAsOneRankHasIt)
     });
 }
 
-TEST(Ranks, areRefusedHeatThroughContactsInWords)
+/// The stack is cut between two grains by two ranks and twice by three: a rank that kept heat from those of others would leave the top cold.
+TEST(Ranks, letHeatThroughContactsBetweenThem)
 {
-    Files files = pouringFiles();
-    std::string& text = files["constant/grainProperties"];
-    text = with(with(text, "law Gunn;", "law Gunn; contacts on;"), "heatCapacity 840;", "heatCapacity 840; conductivity 1; youngModulus 7e10;");
-    const ProgramCase c(files);
-    EXPECT_TRUE(succeeds(c.decompose(labelVector(2, 1, 1))));
-    const ProgramRun run = c.runOn(2);
-    EXPECT_NE(run.status, 0);
-    EXPECT_TRUE(holds(run.log, {"heat.contacts is for one rank up to now", "grainProperties"}));
+    const std::string control = "endTime 0.1; deltaT 2e-3; writeInterval 100; writePrecision 15;";
+    const ProgramCase alone(stackFiles(), control);
+    EXPECT_TRUE(succeeds(alone.run()));
+    EXPECT_GT(alone.reported("0", "grainTMin").back(), 310);
+    runOnTwoAndThree(stackFiles(), control, [&](const ProgramCase& together)
+    {
+        for (const char* column : {"heatGrains", "heatHeld", "grainTMin"})
+        {
+            const std::vector<double> here = alone.reported("0", column), there = together.reported("0", column);
+            ASSERT_EQ(here.size(), there.size());
+            for (std::size_t k = 0; k < here.size(); ++k) EXPECT_NEAR(there[k]/here[k], 1, 1e-5) << column << ' ' << k;
+        }
+        expectBalance(together, "0");
+    });
+}
+
+TEST(Ranks, goOnWithHeatThroughContactsToTheBit)
+{
+    const std::string control = "writeFormat binary; deltaT 2e-3; writeInterval 10; ";
+    const ProgramCase whole(stackFiles(), control + "endTime 0.04;"), parts(stackFiles(), control + "endTime 0.02;");
+    runWholeAndInParts(whole, parts, labelVector(1, 1, 2), control + "endTime 0.04;");
+    EXPECT_EQ(filesThatDiffer(whole, parts, 2, "0.04", {"T", "lagrangian/grains/T"}), std::vector<std::string>());
 }
 
 TEST(Ranks, goOnWithHeatToTheBit)

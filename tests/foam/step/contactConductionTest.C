@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Heat through contacts: the law's value, chains between two temperatures, sums over all grains.
+// Heat through contacts: the law's value, chains between two temperatures, networks beside a direct solution, sums over all grains.
 #include "coupling/step/contactConduction.H"
 
 #include "coupling/step/heatBalance.H"
 
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
+#include <random>
 
 using namespace Foam;
 using namespace Foam::nscdCoupling;
@@ -62,9 +64,37 @@ struct Chain
         loaded.b = b;
         loaded.normal = Vec3::UnitZ();
         loaded.impulse = impulse*Vec3::UnitZ();
+        loaded.radiusB = 1e-3;
         return loaded;
     }
+
+    std::vector<ContactConductance> conductances() const { return contactConductances(settings(), grains, {}, contacts, 1e-3); }
+
+    /// Over a step of a run on one rank.
+    ConductedHeat conducted(scalar deltaT) const
+    {
+        ::nscd::Exchange alone;
+        return ContactConduction(settings(), grains, conductances(), {}, alone).over(temperature, deltaT);
+    }
 };
+
+/// Backward Euler's temperatures, by a dense matrix.
+Eigen::VectorXd directSolution(const Chain& chain, scalar deltaT)
+{
+    const auto n = Eigen::Index(chain.grains.nOwned);
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) matrix(i, i) = heatCapacityOf(settings(), chain.grains, std::size_t(i))/deltaT;
+    const Eigen::VectorXd right = matrix.diagonal().cwiseProduct(Eigen::Map<const Eigen::VectorXd>(chain.temperature.data(), n));
+    for (const ContactConductance& contact : chain.conductances())
+    {
+        const auto a = Eigen::Index(contact.a), b = Eigen::Index(contact.b);
+        matrix(a, a) += contact.conductance;
+        matrix(b, b) += contact.conductance;
+        matrix(a, b) -= contact.conductance;
+        matrix(b, a) -= contact.conductance;
+    }
+    return matrix.ldlt().solve(right);
+}
 
 } // namespace
 
@@ -83,15 +113,14 @@ TEST(ContactConduction, isOfPressedPairsAlone)
     Chain chain(3, 0);
     chain.contacts[0].impulse *= -1;
     chain.contacts.push_back(Chain::contact(2, -1, 1));
-    EXPECT_EQ(contactConductances(settings(), chain.grains, chain.contacts, 1e-3).size(), 1u);
+    EXPECT_EQ(chain.conductances().size(), 1u);
 }
 
 /// Between two held temperatures the flux is their difference over the sum of the contacts' resistances, however long the step.
 TEST(ContactConduction, ofAChainIsThatOfResistancesInSeries)
 {
     Chain chain(12, 1);
-    const HeatSettings both = settings();
-    const std::vector<ContactConductance> contacts = contactConductances(both, chain.grains, chain.contacts, 1e-3);
+    const std::vector<ContactConductance> contacts = chain.conductances();
     ASSERT_EQ(contacts.size(), 11u);
     double resistance = 0;
     for (const ContactConductance& contact : contacts) resistance += 1/contact.conductance;
@@ -99,8 +128,8 @@ TEST(ContactConduction, ofAChainIsThatOfResistancesInSeries)
     const double deltaT = 1e6;
     for (int step = 0; step < 6; ++step)
     {
-        const std::vector<scalar> heat = conductedHeat(both, chain.grains, contacts, chain.temperature, deltaT);
-        for (std::size_t i = 1; i < 11; ++i) chain.temperature[i] += heat[i]/heatCapacityOf(both, chain.grains, i);
+        const std::vector<scalar> heat = chain.conducted(deltaT).heat;
+        for (std::size_t i = 1; i < 11; ++i) chain.temperature[i] += heat[i]/heatCapacityOf(settings(), chain.grains, i);
         if (step < 5) continue;
         EXPECT_NEAR(heat[11]/deltaT, 100/resistance, 1e-9*100/resistance);
         EXPECT_NEAR(heat[0]/deltaT, -100/resistance, 1e-9*100/resistance);
@@ -114,18 +143,51 @@ TEST(ContactConduction, ofAChainIsThatOfResistancesInSeries)
 TEST(ContactConduction, keepsTheHeatOfAllGrainsAndTheirBounds)
 {
     const Chain chain(12, 0);
-    const HeatSettings both = settings();
-    const std::vector<ContactConductance> contacts = contactConductances(both, chain.grains, chain.contacts, 1e-3);
     for (const double deltaT : {1e-6, 1.0, 1e6})
     {
-        const std::vector<scalar> heat = conductedHeat(both, chain.grains, contacts, chain.temperature, deltaT);
+        const std::vector<scalar> heat = chain.conducted(deltaT).heat;
         EXPECT_GT(heat[1], 0);
         EXPECT_NEAR(std::accumulate(heat.begin(), heat.end(), 0.0), 0, 1e-14*-heat[0]) << deltaT;
         for (std::size_t i = 0; i < heat.size(); ++i)
         {
-            const double T = chain.temperature[i] + heat[i]/heatCapacityOf(both, chain.grains, i);
+            const double T = chain.temperature[i] + heat[i]/heatCapacityOf(settings(), chain.grains, i);
             EXPECT_GE(T, 300 - 1e-9);
             EXPECT_LE(T, 400 + 1e-9);
         }
     }
+}
+
+/// Grains of random temperatures, each in contact with some twenty others: in steps of 1e-3 to 1e6 times what a contact takes to even out two.
+TEST(ContactConduction, ofANetworkIsThatOfADirectSolution)
+{
+    Chain chain(200, 0);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (scalar& T : chain.temperature) T = 300 + 100*uniform(random);
+    for (int k = 0; k < 2000; ++k)
+    {
+        const int a = int(200*uniform(random)), b = int(200*uniform(random));
+        if (a != b) chain.contacts.push_back(Chain::contact(a, b, uniform(random)));
+    }
+    for (const double deltaT : {1e-2, 1.0, 100.0, 1e7})
+    {
+        const ConductedHeat conducted = chain.conducted(deltaT);
+        EXPECT_EQ(conducted.left, 0);
+        const Eigen::VectorXd end = directSolution(chain, deltaT);
+        for (std::size_t i = 0; i < 200; ++i)
+        {
+            const double T = chain.temperature[i] + conducted.heat[i]/heatCapacityOf(settings(), chain.grains, i);
+            EXPECT_NEAR(T, end[Eigen::Index(i)], 1e-11*(1 + deltaT)) << i << ' ' << deltaT;
+        }
+    }
+}
+
+/// Heat would have to go farther in one step than the solver looks.
+TEST(ContactConduction, tellsWhatItCouldNotSolve)
+{
+    Chain chain(11000, 0);
+    for (::nscd::LoadedContact& contact : chain.contacts) contact.impulse = Vec3::UnitZ();
+    const ConductedHeat conducted = chain.conducted(1e9);
+    EXPECT_GT(conducted.left, 0);
+    EXPECT_NEAR(std::accumulate(conducted.heat.begin(), conducted.heat.end(), 0.0), 0, 1e-12*-conducted.heat[0]);
 }

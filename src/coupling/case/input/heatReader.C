@@ -7,8 +7,6 @@
 #include "closures/nusseltLaws.hpp"
 #include "input/dictionary/checkedEntries.hpp"
 
-#include "Pstream.H"
-
 namespace Foam
 {
 namespace nscdCoupling
@@ -76,7 +74,6 @@ std::vector<GrainHeatProperties> readMaterials(const CheckedEntries& heat, const
 /// Of `contacts on`.
 void checkContacts(const CheckedEntries& heat, const HeatSettings& settings, const input::MaterialTable& known)
 {
-    if (Pstream::parRun()) heat.reject("contacts", "is for one rank up to now", "off; or a run on one rank");
     for (const std::string& name : known.grainMaterials())
     {
         const GrainHeatProperties& material = settings.materials[std::size_t(known.table.find(name))];
