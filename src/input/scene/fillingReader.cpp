@@ -9,6 +9,7 @@
 #include "input/scene/sizeReader.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace input
 {
@@ -49,13 +50,30 @@ double readPacking(const CheckedEntries& given, const Surroundings& around)
     return fraction;
 }
 
-void readLooseFraction(const CheckedEntries& given, const Surroundings& around, nscd::FillingSource& filling)
+/// [m3]
+double spaceOf(const nscd::Region& region, const nscd::GrainShape& shape) { return region.volume*(shape.emptyAxis >= 0 ? shape.thickness : 1.0); }
+
+/// Volume of the asked grains per unit of the amount [m3].
+double volumePerUnit(const nscd::FillingSource& filling, const Surroundings& around)
 {
-    filling.amount = given.number("solidFraction", within(0, 1));
+    if (filling.measure == FillingAmount::number) return around.shape.volume(0.5*filling.sizes.largest);
+    return filling.measure == FillingAmount::mass ? 1.0/filling.density : spaceOf(filling.region, around.shape);
+}
+
+/// Many loose grains of one size that cannot all find places would be tried for minutes. A few may fit into a region that is made for them.
+void checkLooseFraction(const CheckedEntries& given, const std::string& keyword, const Surroundings& around, double inParcel, const nscd::FillingSource& filling)
+{
+    constexpr double few = 100.0;
     const bool isOneSize = filling.sizes.smallest == filling.sizes.largest;
+    if (filling.isPacked || !isOneSize || (around.shape.dimensions == 3 && around.shape.emptyAxis >= 0)) return;
     const double most = nscd::densestAddition(around.shape.dimensions);
-    if (!isOneSize || filling.amount <= most || (around.shape.dimensions == 3 && around.shape.emptyAxis >= 0)) return;
-    given.reject("solidFraction", "is more than grains of one size reach at random", textOf("up to ", most, "; for more, packing { solidFraction ", filling.amount, "; }"));
+    const double volume = filling.amount*volumePerUnit(filling, around), fraction = volume/spaceOf(filling.region, around.shape);
+    if (fraction <= most || volume < few*around.shape.volume(0.5*filling.sizes.largest)) return;
+    const bool isNumber = keyword == "number";
+    const double allowed = most/fraction*filling.amount, shown = isNumber ? std::floor(allowed*inParcel) : allowed;
+    const std::string makes = keyword == "solidFraction" ? "" : textOf("makes a solid fraction of ", fraction, ", and ");
+    const std::string dense = fraction > nscd::densestPacking(around.shape.dimensions) ? "" : textOf("; for more, packing { solidFraction ", fraction, "; }");
+    given.reject(keyword, makes + "is more than grains of one size reach at random", textOf("up to ", shown, dense));
 }
 
 void readAmount(const CheckedEntries& given, const Surroundings& around, double coarseGraining, nscd::FillingSource& filling)
@@ -63,20 +81,20 @@ void readAmount(const CheckedEntries& given, const Surroundings& around, double 
     const std::string keyword = amountKeyword(given);
     if (keyword == "number") filling.amount = double(bodiesOf(given.integer("number", 1), coarseGraining, around, given, "number"));
     if (keyword == "mass") filling.amount = given.number("mass", above(0, unit::mass));
-    if (keyword == "solidFraction") readLooseFraction(given, around, filling);
+    if (keyword == "solidFraction") filling.amount = given.number("solidFraction", within(0, 1));
     if (keyword == "packing") filling.amount = readPacking(given, around);
     filling.isPacked = keyword == "packing";
     if (keyword == "mass") filling.measure = FillingAmount::mass;
     if (keyword == "packing" || keyword == "solidFraction") filling.measure = FillingAmount::solidFraction;
+    checkLooseFraction(given, keyword, around, nscd::grainsInParcel(coarseGraining, around.shape.dimensions), filling);
 }
 
 /// At least so many grains are asked for.
 double fewestGrains(const nscd::FillingSource& filling, const nscd::GrainShape& shape)
 {
     const double largest = shape.volume(0.5*filling.sizes.largest);
-    const double space = filling.region.volume*(shape.emptyAxis >= 0 ? shape.thickness : 1.0);
     if (filling.measure == FillingAmount::number) return filling.amount;
-    return filling.measure == FillingAmount::mass ? filling.amount/(filling.density*largest) : filling.amount*space/largest;
+    return filling.measure == FillingAmount::mass ? filling.amount/(filling.density*largest) : filling.amount*spaceOf(filling.region, shape)/largest;
 }
 
 /// A region beyond its own image would be filled twice.

@@ -194,6 +194,14 @@ bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule
     return strategy_.queue.isOn && sweeps - lastLocal_ > strategy_.queue.sweepsBetween && sums.maxSquare > rule.maxLimit*rule.maxLimit && rms(sums) < rule.rmsLimit;
 }
 
+/// On all ranks.
+bool SlowSolve::areMany(std::size_t off, std::size_t used) const
+{
+    double sums[2] = {static_cast<double>(off), static_cast<double>(used)};
+    problem_.halo.sum(sums, 2);
+    return sums[0] > std::max(strategy_.queue.fewOff, strategy_.queue.mostOff*sums[1]);
+}
+
 int SlowSolve::solveLocally(int sweeps, const StopRule& rule)
 {
     // Between ranks there are only sweeps: each works on contacts that no other can disturb.
@@ -201,8 +209,10 @@ int SlowSolve::solveLocally(int sweeps, const StopRule& rule)
     if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, BlockRange{within.data(), within.size()});
     const std::size_t used = std::max<std::size_t>(1, queue_->slots().size());
     const double threshold = (problem_.isFlowing() ? strategy_.queue.shareInFlow : strategy_.queue.shareOfLimit)*rule.maxLimit;
-    const std::size_t visits = queue_->work(queue_->defective(threshold), threshold, strategy_.queue.mostSweeps*used);
     lastLocal_ = sweeps;
+    const std::vector<std::uint32_t> off = queue_->defective(threshold);
+    if (areMany(off.size(), used)) return 0;
+    const std::size_t visits = queue_->work(off, threshold, strategy_.queue.mostSweeps*used);
     restart();
     return static_cast<int>(problem_.halo.max(static_cast<double>((visits + used - 1)/used)));
 }

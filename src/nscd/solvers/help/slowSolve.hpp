@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Help for a Gauss-Seidel solve that turns out to be slow.
-// Tested by tests/unit/nscd/solvers/help/sweepMomentumTest.cpp, tests/unit/nscd/scene/solverStrategyTest.cpp
+// Tested by tests/unit/nscd/solvers/help/slowSolveTest.cpp, tests/unit/nscd/solvers/help/sweepMomentumTest.cpp, tests/unit/nscd/scene/solverStrategyTest.cpp
 #pragma once
 
 #include "nscd/solvers/help/andersonAcceleration.hpp"
@@ -42,6 +42,7 @@ private:
     bool areClustersDue(int sweeps, const DefectSums& sums, const StopRule& rule) const;
     void solveClusters(int sweeps, const StopRule& rule);
     bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const;
+    bool areMany(std::size_t off, std::size_t used) const;
     int solveLocally(int sweeps, const StopRule& rule);
     bool isSlow(int sweepsBetween, const DefectSums& sums);
     void start(int sweeps);
