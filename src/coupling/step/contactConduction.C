@@ -20,7 +20,7 @@ namespace
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Changes below this share of the largest temperature are round-off.
+/// Steps of the preconditioner below this share of the largest temperature are round-off.
 constexpr scalar roundOff = 1e-14;
 /// Reached by none but steps of a million times what a grain takes to warm through its contacts.
 constexpr int maxIterations = 10000;
@@ -171,8 +171,8 @@ ConductedHeat ContactConduction::over(const std::vector<scalar>& temperature, sc
         direction = step + next.energy/residual.energy*direction;
         residual = next;
     }
-    const ArrayXd heat = deltaT*flow(start + change);
-    return {std::vector<scalar>(heat.begin(), heat.end()), residual.largest > accepted ? residual.largest : 0};
+    const ArrayXd heat = deltaT*flow(start + change), off = isFree_*left/capacity_;
+    return {std::vector<scalar>(heat.begin(), heat.end()), residual.largest > accepted ? residualOf(left, off, exchange_).largest : 0};
 }
 
 } // namespace nscdCoupling

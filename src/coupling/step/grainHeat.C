@@ -92,7 +92,7 @@ void GrainHeat::conduct(const ::nscd::GrainDynamics& dynamics, scalar contactDel
         else temperature_[i] += conducted.heat[i]/heatCapacityOf(settings_, grains, i);
     }
     if (conducted.left <= 0) return;
-    Info<< "  heat: temperatures along contacts did not converge, and are off by some " << conducted.left << " K" << nl;
+    Info<< "  heat: temperatures along contacts did not converge, and single ones are off by up to " << conducted.left << " K" << nl;
 }
 
 

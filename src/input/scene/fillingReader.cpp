@@ -9,7 +9,6 @@
 #include "input/scene/sizeReader.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace input
 {
@@ -60,20 +59,20 @@ double volumePerUnit(const nscd::FillingSource& filling, const Surroundings& aro
     return filling.measure == FillingAmount::mass ? 1.0/filling.density : spaceOf(filling.region, around.shape);
 }
 
-/// Many loose grains of one size that cannot all find places would be tried for minutes. A few may fit into a region that is made for them.
-void checkLooseFraction(const CheckedEntries& given, const std::string& keyword, const Surroundings& around, double inParcel, const nscd::FillingSource& filling)
+/// Loose grains of one size that cannot find places would be tried for minutes. Of a number or a mass more may find them in a region hardly wider
+/// than a grain, where they lie in a row: 0.75 of its length (Renyi 1958), 0.5 of its volume.
+void checkLooseFraction(const CheckedEntries& given, const std::string& keyword, const Surroundings& around, const nscd::FillingSource& filling)
 {
-    constexpr double few = 100.0;
+    constexpr double inARow = 1.3;
     const bool isOneSize = filling.sizes.smallest == filling.sizes.largest;
     if (filling.isPacked || !isOneSize || (around.shape.dimensions == 3 && around.shape.emptyAxis >= 0)) return;
+    const bool isFraction = filling.measure == FillingAmount::solidFraction;
     const double most = nscd::densestAddition(around.shape.dimensions);
-    const double volume = filling.amount*volumePerUnit(filling, around), fraction = volume/spaceOf(filling.region, around.shape);
-    if (fraction <= most || volume < few*around.shape.volume(0.5*filling.sizes.largest)) return;
-    const bool isNumber = keyword == "number";
-    const double allowed = most/fraction*filling.amount, shown = isNumber ? std::floor(allowed*inParcel) : allowed;
-    const std::string makes = keyword == "solidFraction" ? "" : textOf("makes a solid fraction of ", fraction, ", and ");
+    const double fraction = filling.amount*volumePerUnit(filling, around)/spaceOf(filling.region, around.shape);
+    if (fraction <= (isFraction ? most : inARow*most)) return;
+    const std::string makes = isFraction ? "" : textOf("makes a solid fraction of ", fraction, ", and ");
     const std::string dense = fraction > nscd::densestPacking(around.shape.dimensions) ? "" : textOf("; for more, packing { solidFraction ", fraction, "; }");
-    given.reject(keyword, makes + "is more than grains of one size reach at random", textOf("up to ", shown, dense));
+    given.reject(keyword, makes + "is more than grains of one size reach at random", textOf(isFraction ? "" : "a solid fraction ", "up to ", most, dense));
 }
 
 void readAmount(const CheckedEntries& given, const Surroundings& around, double coarseGraining, nscd::FillingSource& filling)
@@ -86,7 +85,7 @@ void readAmount(const CheckedEntries& given, const Surroundings& around, double 
     filling.isPacked = keyword == "packing";
     if (keyword == "mass") filling.measure = FillingAmount::mass;
     if (keyword == "packing" || keyword == "solidFraction") filling.measure = FillingAmount::solidFraction;
-    checkLooseFraction(given, keyword, around, nscd::grainsInParcel(coarseGraining, around.shape.dimensions), filling);
+    checkLooseFraction(given, keyword, around, filling);
 }
 
 /// At least so many grains are asked for.

@@ -98,7 +98,7 @@ struct SolverStrategy
         double shareOfLimit = 0.5, shareInFlow = 0.7;   ///< of the largest defect allowed, what it leaves [-]; 0.7 takes half the visits in flows
         std::size_t mostSweeps = 20;                    ///< visits over contacts, at most
         /// Share of the contacts that may be off [-]. With 0.06 the queue takes 6 sweeps, from 0.1 on it ends at mostSweeps and leaves many: a bed of
-        /// 9240 spheres that lands in steps of 2e-3 s spent four fifths of its time there.
+        /// 9240 spheres that lands in steps of 2e-3 s spent three quarters of its time there.
         double mostOff = 0.05;
         double fewOff = 50.0;                           ///< contacts that may be off anyway
     } queue;

@@ -112,7 +112,7 @@ public:
     /// To be called before the next beginStep(), which may list contacts anew and then knows of the motion's impulses alone.
     /// Equation: sum of impulses on a grain = m dv - dt (f - gamma v)
     std::vector<LoadedContact> contacts() const;
-    /// Grains of other ranks that contacts() may touch, until grains are set. Each contact between two ranks is solved on one of them.
+    /// Grains of other ranks that contacts() may touch; until the next beginStep(), too. Each contact between two ranks is solved on one of them.
     const std::vector<GhostGrain>& ghostsInContacts() const;
 
     /// Impulses of all contacts solved on this rank that carry one. After this call the next step searches anew, as a restarted run does,

@@ -33,9 +33,9 @@ const Wrong wrongFillings[] =
     {"fractionBeyondAddition", "number 60; sizes { type uniform; min 0.008; max 0.012; }", "solidFraction 0.5; diameter 0.01;", 3,
         {"keyword grains.solidFraction is more than grains of one size reach at random", "up to 0.384", "packing { solidFraction 0.5; }"}},
     {"numberBeyondAddition", "number 60; sizes { type uniform; min 0.008; max 0.012; }", "number 700; diameter 0.01;", 3,
-        {"keyword grains.number makes a solid fraction of 0.509", "more than grains of one size reach at random", "up to 528;", "packing { solidFraction 0.509"}},
+        {"keyword grains.number makes a solid fraction of 0.509", "more than grains of one size reach at random", "a solid fraction up to 0.384;", "packing { solidFraction 0.509"}},
     {"massBeyondAddition", "number 60; sizes { type uniform; min 0.008; max 0.012; }", "mass 1; diameter 0.01;", 3,
-        {"keyword grains.mass makes a solid fraction of 0.55", "more than grains of one size reach at random", "up to 0.69"}},
+        {"keyword grains.mass makes a solid fraction of 0.55", "more than grains of one size reach at random", "a solid fraction up to 0.384"}},
     {"fractionBeyondPacking", "number 60;", "packing { solidFraction 0.7; }", 3, {"keyword grains.packing.solidFraction is out of range", "0.64"}},
     {"packingWithoutFraction", "number 60;", "packing { }", 3, {"keyword grains.packing.solidFraction is missing"}},
     {"keywordInPacking", "number 60;", "packing { solidFraction 0.6; number 3; }", 3, {"keyword grains.packing.number is of loose grains"}},
@@ -71,7 +71,7 @@ TEST_F(Fillings, longerThanThePeriodAreRefused)
     sceneFiles::expectRefused(open, 3, {"region is longer than the period"});
 }
 
-/// More than grains of one size reach at random in a wide region.
+/// 0.45 of the region: more than grains of one size reach at random where there is room for many.
 TEST_F(Fillings, ofOneGrainMayBeAsTightAsItFits)
 {
     const std::string one = changed(changed(loose, "(0.06 0.06 0.2)", "(0.0105 0.0105 0.0105)"), "number 60; sizes { type uniform; min 0.008; max 0.012; }", "number 1; diameter 0.01;");
