@@ -60,7 +60,7 @@ double volumePerUnit(const nscd::FillingSource& filling, const Surroundings& aro
 }
 
 /// Loose grains of one size that cannot find places would be tried for minutes. Of a number or a mass more may find them in a region hardly wider
-/// than a grain, where they lie in a row: 0.75 of its length (Renyi 1958), 0.5 of its volume.
+/// than a grain, where they lie in a row: up to 0.75 of its length, 0.5 of its volume.
 void checkLooseFraction(const CheckedEntries& given, const std::string& keyword, const Surroundings& around, const nscd::FillingSource& filling)
 {
     constexpr double inARow = 1.3;
