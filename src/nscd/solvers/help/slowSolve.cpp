@@ -51,18 +51,18 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
         if (sweeps == strategy_.slowness.flowPatience) isCold_ = !problem_.halo.any(!isCold_);
         const int sweepsToWait = isCold_ ? strategy_.slowness.coldPatience : isFlowing() ? strategy_.slowness.flowPatience : strategy_.slowness.patience;
         if (sweeps % sweepsToWait == 0 && isSlow(sweepsToWait, sums) && hasHelp()) start(sweeps);
-        return !hasHelp() && isLocal(sweeps, sums, rule) ? solveLocally(rule) : 0;
+        return isLocal(sweeps, sums, rule) && !hasHelp() ? solveLocally(sweeps, rule) : 0;
     }
     best_ = std::min(best_, sums.sumSquares);
     if (sweeps >= endOfTerm_) judgeTerm(sweeps);
-    if (isPausing_) return isLocal(sweeps, sums, rule) ? solveLocally(rule) : 0;
+    if (isPausing_) return isLocal(sweeps, sums, rule) ? solveLocally(sweeps, rule) : 0;
     ++sinceMixing_;
     if (isMixed_ && sinceMixing_ == 1 && sums.sumSquares > strategy_.slowness.growthAllowed*squaresBefore_)
     {
         revert();
         return 0;
     }
-    if (isLocal(sweeps, sums, rule)) return solveLocally(rule);
+    if (isLocal(sweeps, sums, rule)) return solveLocally(sweeps, rule);
     if (isMixingDue(sums, rule)) mix(sums, rule);
     return 0;
 }
@@ -189,32 +189,30 @@ void SlowSolve::solveClusters(int sweeps, const StopRule& rule)
     restart();
 }
 
-/// Between ranks there are only sweeps: the queue of each works on contacts that no other can disturb.
-bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule)
+bool SlowSolve::isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const
 {
-    if (!strategy_.queue.isOn || sweeps - lastLocal_ <= strategy_.queue.sweepsBetween) return false;
-    if (sums.maxSquare <= rule.maxLimit*rule.maxLimit || rms(sums) >= rule.rmsLimit) return false;
-    lastLocal_ = sweeps;
-    if (!queue_)
-    {
-        const std::vector<std::uint32_t> within = problem_.withinRank();
-        queue_ = std::make_unique<ContactQueue>(problem_, BlockRange{within.data(), within.size()});
-    }
-    off_ = queue_->defective(queueThreshold(rule));
-    double counts[2] = {static_cast<double>(off_.size()), static_cast<double>(queue_->slots().size())};
-    problem_.halo.sum(counts, 2);
-    return counts[0] <= std::max(strategy_.queue.fewOff, strategy_.queue.mostOff*counts[1]);
+    return strategy_.queue.isOn && sweeps - lastLocal_ > strategy_.queue.sweepsBetween && sums.maxSquare > rule.maxLimit*rule.maxLimit && rms(sums) < rule.rmsLimit;
 }
 
-double SlowSolve::queueThreshold(const StopRule& rule) const
+/// On all ranks.
+bool SlowSolve::areMany(std::size_t off, std::size_t used) const
 {
-    return (problem_.isFlowing() ? strategy_.queue.shareInFlow : strategy_.queue.shareOfLimit)*rule.maxLimit;
+    double sums[2] = {static_cast<double>(off), static_cast<double>(used)};
+    problem_.halo.sum(sums, 2);
+    return sums[0] > std::max(strategy_.queue.fewOff, strategy_.queue.mostOff*sums[1]);
 }
 
-int SlowSolve::solveLocally(const StopRule& rule)
+int SlowSolve::solveLocally(int sweeps, const StopRule& rule)
 {
+    // Between ranks there are only sweeps: each works on contacts that no other can disturb.
+    const std::vector<std::uint32_t> within = queue_ ? std::vector<std::uint32_t>() : problem_.withinRank();
+    if (!queue_) queue_ = std::make_unique<ContactQueue>(problem_, BlockRange{within.data(), within.size()});
     const std::size_t used = std::max<std::size_t>(1, queue_->slots().size());
-    const std::size_t visits = queue_->work(off_, queueThreshold(rule), strategy_.queue.mostSweeps*used);
+    const double threshold = (problem_.isFlowing() ? strategy_.queue.shareInFlow : strategy_.queue.shareOfLimit)*rule.maxLimit;
+    lastLocal_ = sweeps;
+    const std::vector<std::uint32_t> off = queue_->defective(threshold);
+    if (areMany(off.size(), used)) return 0;
+    const std::size_t visits = queue_->work(off, threshold, strategy_.queue.mostSweeps*used);
     restart();
     return static_cast<int>(problem_.halo.max(static_cast<double>((visits + used - 1)/used)));
 }

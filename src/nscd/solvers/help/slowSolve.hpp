@@ -41,9 +41,9 @@ public:
 private:
     bool areClustersDue(int sweeps, const DefectSums& sums, const StopRule& rule) const;
     void solveClusters(int sweeps, const StopRule& rule);
-    bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule);
-    double queueThreshold(const StopRule& rule) const;
-    int solveLocally(const StopRule& rule);
+    bool isLocal(int sweeps, const DefectSums& sums, const StopRule& rule) const;
+    bool areMany(std::size_t off, std::size_t used) const;
+    int solveLocally(int sweeps, const StopRule& rule);
     bool isSlow(int sweepsBetween, const DefectSums& sums);
     void start(int sweeps);
     bool isFlowing() const;
@@ -64,7 +64,6 @@ private:
     std::unique_ptr<SweepMomentum> momentum_;   ///< in its place in a cold solve, and in a flow
     AndersonAcceleration::Impulses start_;      ///< impulses after the last mixing
     std::unique_ptr<ContactQueue> queue_;
-    std::vector<std::uint32_t> off_;            ///< slots of contacts to be worked off
     int sinceMixing_ = 0;
     int lastLocal_ = 0;
     int lastClusters_ = 0;
