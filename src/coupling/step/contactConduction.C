@@ -37,6 +37,14 @@ struct Residual
     scalar largest;   ///< of such steps [K]
 };
 
+/// Over all ranks.
+scalar largestSize(const ArrayXd& values, const ::nscd::Exchange& exchange)
+{
+    scalar largest = values.size() > 0 ? values.abs().maxCoeff() : 0;
+    exchange.max(&largest, 1);
+    return largest;
+}
+
 Residual residualOf(const ArrayXd& left, const ArrayXd& step, const ::nscd::Exchange& exchange)
 {
     double sums[2] = {(left*step).sum(), 0}, largest = step.size() > 0 ? step.abs().maxCoeff() : 0;
@@ -159,7 +167,7 @@ ConductedHeat ContactConduction::over(const std::vector<scalar>& temperature, sc
     const ArrayXd inverseDiagonal = isFree_/(capacity_ + deltaT*conductance_);
     ArrayXd change = ArrayXd::Zero(start.size()), left = deltaT*flow(start), step = inverseDiagonal*left, direction = step;
     Residual residual = residualOf(left, step, exchange_);
-    const scalar accepted = roundOff*residualOf(start, start, exchange_).largest;
+    const scalar accepted = roundOff*largestSize(start, exchange_);
     for (int k = 0; residual.largest > accepted && k < maxIterations; ++k)
     {
         const ArrayXd taken = capacity_*direction - deltaT*flow(direction);
@@ -171,8 +179,10 @@ ConductedHeat ContactConduction::over(const std::vector<scalar>& temperature, sc
         direction = step + next.energy/residual.energy*direction;
         residual = next;
     }
-    const ArrayXd heat = deltaT*flow(start + change), off = isFree_*left/capacity_;
-    return {std::vector<scalar>(heat.begin(), heat.end()), residual.largest > accepted ? residualOf(left, off, exchange_).largest : 0};
+    const ArrayXd heat = deltaT*flow(start + change);
+    // Heats give left/(m c) more than `change`, which is off by no more than the largest such by the maximum principle.
+    const scalar off = residual.largest > accepted ? 2*largestSize(isFree_*left/capacity_, exchange_) : 0;
+    return {std::vector<scalar>(heat.begin(), heat.end()), off};
 }
 
 } // namespace nscdCoupling

@@ -91,8 +91,8 @@ void GrainHeat::conduct(const ::nscd::GrainDynamics& dynamics, scalar contactDel
         if (propertiesOf(grains, i).isHeld) balance_.hold(conducted.heat[i]);
         else temperature_[i] += conducted.heat[i]/heatCapacityOf(settings_, grains, i);
     }
-    if (conducted.left <= 0) return;
-    Info<< "  heat: temperatures along contacts did not converge, and single ones are off by up to " << conducted.left << " K" << nl;
+    if (conducted.off <= 0) return;
+    Info<< "  heat: temperatures along contacts did not converge, and single ones are off by up to " << conducted.off << " K" << nl;
 }
 
 

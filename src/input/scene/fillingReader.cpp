@@ -49,14 +49,11 @@ double readPacking(const CheckedEntries& given, const Surroundings& around)
     return fraction;
 }
 
-/// [m3]
-double spaceOf(const nscd::Region& region, const nscd::GrainShape& shape) { return region.volume*(shape.emptyAxis >= 0 ? shape.thickness : 1.0); }
-
-/// Volume of the asked grains per unit of the amount [m3].
-double volumePerUnit(const nscd::FillingSource& filling, const Surroundings& around)
+/// Of the grains that are asked for; of a number if all are as large as the largest [m3].
+double askedVolume(const nscd::FillingSource& filling, const nscd::GrainShape& shape)
 {
-    if (filling.measure == FillingAmount::number) return around.shape.volume(0.5*filling.sizes.largest);
-    return filling.measure == FillingAmount::mass ? 1.0/filling.density : spaceOf(filling.region, around.shape);
+    if (filling.measure == FillingAmount::number) return filling.amount*shape.volume(0.5*filling.sizes.largest);
+    return filling.measure == FillingAmount::mass ? filling.amount/filling.density : filling.amount*nscd::volumeOf(filling.region, shape);
 }
 
 /// Loose grains of one size that cannot find places would be tried for minutes. Of a number or a mass more may find them in a region hardly wider
@@ -68,7 +65,7 @@ void checkLooseFraction(const CheckedEntries& given, const std::string& keyword,
     if (filling.isPacked || !isOneSize || (around.shape.dimensions == 3 && around.shape.emptyAxis >= 0)) return;
     const bool isFraction = filling.measure == FillingAmount::solidFraction;
     const double most = nscd::densestAddition(around.shape.dimensions);
-    const double fraction = filling.amount*volumePerUnit(filling, around)/spaceOf(filling.region, around.shape);
+    const double fraction = askedVolume(filling, around.shape)/nscd::volumeOf(filling.region, around.shape);
     if (fraction <= (isFraction ? most : inARow*most)) return;
     const std::string makes = isFraction ? "" : textOf("makes a solid fraction of ", fraction, ", and ");
     const std::string dense = fraction > nscd::densestPacking(around.shape.dimensions) ? "" : textOf("; for more, packing { solidFraction ", fraction, "; }");
@@ -91,9 +88,7 @@ void readAmount(const CheckedEntries& given, const Surroundings& around, double 
 /// At least so many grains are asked for.
 double fewestGrains(const nscd::FillingSource& filling, const nscd::GrainShape& shape)
 {
-    const double largest = shape.volume(0.5*filling.sizes.largest);
-    if (filling.measure == FillingAmount::number) return filling.amount;
-    return filling.measure == FillingAmount::mass ? filling.amount/(filling.density*largest) : filling.amount*spaceOf(filling.region, shape)/largest;
+    return askedVolume(filling, shape)/shape.volume(0.5*filling.sizes.largest);
 }
 
 /// A region beyond its own image would be filled twice.

@@ -60,9 +60,6 @@ std::invalid_argument refused(const Parts&... parts)
     return std::invalid_argument(text.str());
 }
 
-/// Area in a plane, times the length of discs there.
-double volumeOf(const Region& region, const GrainShape& shape) { return region.volume*(shape.emptyAxis >= 0 ? shape.thickness : 1.0); }
-
 double volumeOf(const Spheres& grains, const GrainShape& shape)
 {
     double sum = 0.0;

@@ -24,6 +24,9 @@ struct FillingSource
     std::uint64_t seed = 1;
 };
 
+/// Of a region; in a plane its area times the length of discs there [m3].
+inline double volumeOf(const Region& region, const GrainShape& shape) { return region.volume*(shape.emptyAxis >= 0 ? shape.thickness : 1.0); }
+
 /// Solid fractions that no packing at random exceeds: 0.64 of equal spheres in space (Scott and Kilgour 1969, doi 10.1088/0022-3727/2/6/311), 0.84 of
 /// equal discs in a plane.
 inline double densestPacking(int dimensions) { return dimensions == 2 ? 0.84 : 0.64; }
