@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Packing values by home, and back.
+// Packing values of grains that have their home elsewhere, and copying the others'.
 #include "parallel/grainLink.hpp"
 
 #include "nscd/base/invalidValue.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace nscd
 {
@@ -14,9 +15,51 @@ namespace nscd
 namespace
 {
 
-void checkSize(const char* name, std::size_t size, std::size_t needed)
+void checkLengths(const std::vector<GrainColumn>& columns, std::size_t needed)
 {
-    if (size != needed) throw invalidValue(std::string("length of ") + name, size, std::to_string(needed));
+    for (const GrainColumn& column : columns)
+    {
+        if (column.grains != needed) throw invalidValue("length of a column", column.grains, std::to_string(needed));
+    }
+}
+
+int widthOf(const std::vector<GrainColumn>& columns)
+{
+    int width = 0;
+    for (const GrainColumn& column : columns) width += column.width;
+    return width;
+}
+
+/// The numbers of some entries of all columns, an entry's side by side.
+std::vector<double> packed(const std::vector<GrainColumn>& columns, const std::vector<std::size_t>& entries)
+{
+    std::vector<double> numbers(entries.size()*widthOf(columns));
+    double* to = numbers.data();
+    for (std::size_t entry : entries)
+    {
+        for (const GrainColumn& column : columns) to = std::copy_n(column.from + entry*column.width, column.width, to);
+    }
+    return numbers;
+}
+
+void unpack(const std::vector<double>& numbers, const std::vector<GrainColumn>& columns, const std::vector<std::size_t>& entries)
+{
+    const double* from = numbers.data();
+    for (std::size_t entry : entries)
+    {
+        for (const GrainColumn& column : columns)
+        {
+            std::copy_n(from, column.width, column.to + entry*column.width);
+            from += column.width;
+        }
+    }
+}
+
+std::size_t sum(const std::vector<RankCount>& counts)
+{
+    std::size_t sum = 0;
+    for (const RankCount& entry : counts) sum += entry.count;
+    return sum;
 }
 
 } // namespace
@@ -24,19 +67,20 @@ void checkSize(const char* name, std::size_t size, std::size_t needed)
 void GrainLink::connect(const std::vector<int>& homes)
 {
     grains_ = homes.size();
-    byHome_.clear();
+    leaving_.clear();
+    staying_.clear();
     for (std::size_t i = 0; i < homes.size(); ++i)
     {
         if (homes[i] < -1 || homes[i] >= all_.size())
         {
             throw invalidValue("home of a grain", homes[i], "a rank below " + std::to_string(all_.size()) + ", or -1");
         }
-        if (homes[i] >= 0) byHome_.push_back(i);
+        if (homes[i] >= 0) (homes[i] == all_.rank() ? staying_ : leaving_).push_back(i);
     }
-    std::stable_sort(byHome_.begin(), byHome_.end(), [&](std::size_t a, std::size_t b) { return homes[a] < homes[b]; });
+    std::stable_sort(leaving_.begin(), leaving_.end(), [&](std::size_t a, std::size_t b) { return homes[a] < homes[b]; });
 
     homes_.clear();
-    for (std::size_t i : byHome_)
+    for (std::size_t i : leaving_)
     {
         if (homes_.empty() || homes_.back().rank != homes[i]) homes_.push_back({homes[i], 0});
         ++homes_.back().count;
@@ -44,38 +88,57 @@ void GrainLink::connect(const std::vector<int>& homes)
     std::vector<Message> counts;
     for (const RankCount& home : homes_) pack(&home.count, 1, counts.emplace_back(Message{home.rank, {}}).bytes);
     owners_.clear();
-    rows_ = 0;
+    firstStaying_ = 0;
     for (const Message& message : all_.exchange(counts))
     {
         std::vector<int> count;
         unpack(message.bytes, count);
         owners_.push_back({message.rank, count.front()});
-        rows_ += count.front();
+        if (message.rank < all_.rank()) firstStaying_ += count.front();
     }
+    rows_ = sum(owners_) + staying_.size();
 }
 
-std::vector<double> GrainLink::toHomes(const std::vector<double>& perGrain, int width) const
+std::vector<std::size_t> GrainLink::rowsOfOthers() const
 {
-    checkSize("perGrain", perGrain.size(), grains_*width);
-    std::vector<double> sent(byHome_.size()*width), rows(rows_*width);
-    double* to = sent.data();
-    for (std::size_t i : byHome_) to = std::copy_n(perGrain.begin() + static_cast<std::ptrdiff_t>(i*width), width, to);
-    all_.transfer(homes_, sent.data(), owners_, rows.data(), width);
+    std::vector<std::size_t> rows(rows_ - staying_.size());
+    std::iota(rows.begin(), rows.end(), std::size_t(0));
+    for (std::size_t k = firstStaying_; k < rows.size(); ++k) rows[k] += staying_.size();
     return rows;
 }
 
-std::vector<double> GrainLink::toOwners(const std::vector<double>& perRow, int width) const
+void GrainLink::toHomes(const std::vector<GrainColumn>& columns) const
 {
-    checkSize("perRow", perRow.size(), rows_*width);
-    std::vector<double> received(byHome_.size()*width), perGrain(grains_*width, 0.0);
-    all_.transfer(owners_, perRow.data(), homes_, received.data(), width);
-    const double* from = received.data();
-    for (std::size_t i : byHome_)
+    checkLengths(columns, grains_);
+    const int width = widthOf(columns);
+    const std::vector<std::size_t> arriving = rowsOfOthers();
+    std::vector<double> received(arriving.size()*width);
+    all_.transfer(homes_, packed(columns, leaving_).data(), owners_, received.data(), width);
+    unpack(received, columns, arriving);
+    for (const GrainColumn& column : columns)
     {
-        std::copy(from, from + width, perGrain.begin() + static_cast<std::ptrdiff_t>(i*width));
-        from += width;
+        double* to = column.to + firstStaying_*column.width;
+        for (std::size_t i : staying_) to = std::copy_n(column.from + i*column.width, column.width, to);
     }
-    return perGrain;
+}
+
+void GrainLink::toOwners(const std::vector<GrainColumn>& columns) const
+{
+    checkLengths(columns, rows_);
+    const int width = widthOf(columns);
+    std::vector<double> received(leaving_.size()*width);
+    all_.transfer(owners_, packed(columns, rowsOfOthers()).data(), homes_, received.data(), width);
+    for (const GrainColumn& column : columns)
+    {
+        std::fill_n(column.to, grains_*column.width, 0.0);
+        const double* from = column.from + firstStaying_*column.width;
+        for (std::size_t i : staying_)
+        {
+            std::copy_n(from, column.width, column.to + i*column.width);
+            from += column.width;
+        }
+    }
+    unpack(received, columns, leaving_);
 }
 
 } // namespace nscd

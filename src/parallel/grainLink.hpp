@@ -9,7 +9,17 @@
 namespace nscd
 {
 
+/// Numbers of grains on their way: `width` of each, one grain behind the other.
+struct GrainColumn
+{
+    const double* from;
+    std::size_t grains;   ///< in `from`
+    double* to;
+    int width;
+};
+
 /// Joins each own grain with a row at its home. Rows are sorted by (rank of the owner, index there). All functions are collective.
+/// What has its home on the rank that owns it is copied from column to column, only the rest is packed.
 /// Cost: connect() one message per home and a barrier; toHomes() and toOwners() one message per pair of ranks that share grains
 class GrainLink
 {
@@ -21,22 +31,31 @@ public:
     /// Errors: std::invalid_argument for other numbers that are no ranks
     void connect(const std::vector<int>& homes);
 
+    /// Own grains, with a home or without.
+    std::size_t grains() const { return grains_; }
+
     /// Grains that have their home on this rank.
     std::size_t rows() const { return rows_; }
 
-    /// `width` numbers of each own grain to its row, of all grains that have their home here.
-    std::vector<double> toHomes(const std::vector<double>& perGrain, int width) const;
+    /// Columns of own grains into columns of rows.
+    /// Errors: std::invalid_argument for a column of another length
+    void toHomes(const std::vector<GrainColumn>& columns) const;
 
-    /// `width` numbers of each row to the owner of its grain; zero for own grains without home.
-    std::vector<double> toOwners(const std::vector<double>& perRow, int width) const;
+    /// Columns of rows into columns of own grains, zero for grains without home.
+    /// Errors: std::invalid_argument for a column of another length
+    void toOwners(const std::vector<GrainColumn>& columns) const;
 
 private:
+    std::vector<std::size_t> rowsOfOthers() const;
+
     const Communicator& all_;
     std::size_t grains_ = 0;
     std::size_t rows_ = 0;
-    std::vector<RankCount> homes_;       ///< of own grains
-    std::vector<RankCount> owners_;      ///< of the rows here
-    std::vector<std::size_t> byHome_;    ///< own grains in the order of the messages
+    std::vector<RankCount> homes_;       ///< of own grains, on other ranks
+    std::vector<RankCount> owners_;      ///< of the rows here, other ranks
+    std::vector<std::size_t> leaving_;   ///< own grains with these homes, in the order of the messages
+    std::vector<std::size_t> staying_;   ///< own grains with their home here
+    std::size_t firstStaying_ = 0;       ///< the row of the first of them; the others' follow
 };
 
 } // namespace nscd

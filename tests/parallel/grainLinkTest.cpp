@@ -33,31 +33,33 @@ TEST(GrainLink, rowsAreSortedByOwnerAndValuesReturn)
     {
         const std::vector<int> homes = homesOf(all.rank(), all.size(), seed);
         link.connect(homes);
-        std::vector<double> values;
-        for (std::size_t i = 0; i < homes.size(); ++i)
-        {
-            values.push_back(all.rank());
-            values.push_back(static_cast<double>(i));
-        }
-        const std::vector<double> rows = link.toHomes(values, 2);
+        std::vector<double> owner(homes.size(), all.rank()), places;
+        for (std::size_t i = 0; i < homes.size(); ++i) places.insert(places.end(), {double(i), -double(i)});
+        std::vector<double> ownerOfRow(link.rows()), placeOfRow(2*link.rows());
+        link.toHomes({{owner.data(), homes.size(), ownerOfRow.data(), 1}, {places.data(), homes.size(), placeOfRow.data(), 2}});
 
-        std::vector<double> expected;
-        for (int owner = 0; owner < all.size(); ++owner)
+        std::vector<double> owners, expected;
+        for (int rank = 0; rank < all.size(); ++rank)
         {
-            const std::vector<int> theirs = homesOf(owner, all.size(), seed);
+            const std::vector<int> theirs = homesOf(rank, all.size(), seed);
             for (std::size_t i = 0; i < theirs.size(); ++i)
             {
-                if (theirs[i] == all.rank()) expected.insert(expected.end(), {double(owner), double(i)});
+                if (theirs[i] != all.rank()) continue;
+                owners.push_back(rank);
+                expected.insert(expected.end(), {double(i), -double(i)});
             }
         }
-        EXPECT_EQ(rows, expected);
-        EXPECT_EQ(2*link.rows(), expected.size());
+        EXPECT_EQ(ownerOfRow, owners);
+        EXPECT_EQ(placeOfRow, expected);
 
-        std::vector<double> back = link.toOwners(rows, 2);
+        std::vector<double> ownerBack(link.grains(), -1.0), placeBack(2*link.grains(), -1.0);
+        link.toOwners({{ownerOfRow.data(), link.rows(), ownerBack.data(), 1}, {placeOfRow.data(), link.rows(), placeBack.data(), 2}});
+        ASSERT_EQ(link.grains(), homes.size());
         for (std::size_t i = 0; i < homes.size(); ++i)
         {
-            EXPECT_EQ(back[2*i], homes[i] < 0 ? 0.0 : all.rank());
-            EXPECT_EQ(back[2*i + 1], homes[i] < 0 ? 0.0 : static_cast<double>(i));
+            EXPECT_EQ(ownerBack[i], homes[i] < 0 ? 0.0 : all.rank());
+            EXPECT_EQ(placeBack[2*i], homes[i] < 0 ? 0.0 : static_cast<double>(i));
+            EXPECT_EQ(placeBack[2*i + 1], homes[i] < 0 ? 0.0 : -static_cast<double>(i));
         }
     }
 }
@@ -69,6 +71,8 @@ TEST(GrainLink, refusesWhatIsNoRankOrDoesNotFit)
     EXPECT_THROW(link.connect({all.size()}), std::invalid_argument);
     EXPECT_THROW(link.connect({-2}), std::invalid_argument);
     link.connect({all.rank()});
-    EXPECT_THROW(link.toHomes({1.0, 2.0}, 1), std::invalid_argument);
-    EXPECT_THROW(link.toOwners({}, 1), std::invalid_argument);
+    const double from[2] = {1.0, 2.0};
+    double to[2];
+    EXPECT_THROW(link.toHomes({{from, 2, to, 1}}), std::invalid_argument);
+    EXPECT_THROW(link.toOwners({{from, 0, to, 1}}), std::invalid_argument);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Packing values of grains into rows of numbers, and back.
+// Values of grains as the columns that travel.
 #include "coupling/step/grainsAtHome.H"
 
 #include "parallel/grainLink.hpp"
@@ -17,53 +17,57 @@ namespace nscdCoupling
 namespace
 {
 
-std::size_t widthOf(const GrainValues& values) { return values.scalars.size() + 3*values.vectors.size(); }
-
-/// All values of a grain side by side.
-std::vector<double> packed(const GrainValues& values, std::size_t grains)
+/// Values of so many grains instead of those that they are made from.
+class NewValues
 {
-    std::vector<double> rows;
-    rows.reserve(grains*widthOf(values));
-    for (std::size_t i = 0; i < grains; ++i)
-    {
-        for (const std::vector<scalar>* field : values.scalars) rows.push_back((*field)[i]);
-        for (const std::vector<Vec3>* field : values.vectors) rows.insert(rows.end(), (*field)[i].data(), (*field)[i].data() + 3);
-    }
-    return rows;
-}
+public:
+    NewValues(const GrainValues& values, std::size_t grains)
+    :
+        values_(values),
+        scalars_(values.scalars.size(), std::vector<scalar>(grains)),
+        vectors_(values.vectors.size(), std::vector<Vec3>(grains))
+    {}
 
-void unpack(const std::vector<double>& rows, const GrainValues& values)
-{
-    const std::size_t grains = rows.size()/widthOf(values);
-    for (std::vector<scalar>* field : values.scalars) field->resize(grains);
-    for (std::vector<Vec3>* field : values.vectors) field->resize(grains);
-    const double* from = rows.data();
-    for (std::size_t i = 0; i < grains; ++i)
+    std::vector<::nscd::GrainColumn> columns()
     {
-        for (std::vector<scalar>* field : values.scalars) (*field)[i] = *from++;
-        for (std::vector<Vec3>* field : values.vectors)
+        std::vector<::nscd::GrainColumn> columns;
+        for (std::size_t k = 0; k < scalars_.size(); ++k)
         {
-            (*field)[i] = Vec3(from);
-            from += 3;
+            columns.push_back({values_.scalars[k]->data(), values_.scalars[k]->size(), scalars_[k].data(), 1});
         }
+        for (std::size_t k = 0; k < vectors_.size(); ++k)
+        {
+            const double* from = reinterpret_cast<const double*>(values_.vectors[k]->data());
+            columns.push_back({from, values_.vectors[k]->size(), reinterpret_cast<double*>(vectors_[k].data()), 3});
+        }
+        return columns;
     }
-}
 
-/// The first field tells how many grains there are.
-std::size_t grainsOf(const GrainValues& values)
-{
-    return values.scalars.empty() ? values.vectors.front()->size() : values.scalars.front()->size();
-}
+    void replace()
+    {
+        for (std::size_t k = 0; k < scalars_.size(); ++k) *values_.scalars[k] = std::move(scalars_[k]);
+        for (std::size_t k = 0; k < vectors_.size(); ++k) *values_.vectors[k] = std::move(vectors_[k]);
+    }
+
+private:
+    const GrainValues& values_;
+    std::vector<std::vector<scalar>> scalars_;
+    std::vector<std::vector<Vec3>> vectors_;
+};
 
 /// Values of own grains, or of bodies, at their homes instead.
 void send(const ::nscd::GrainLink& link, const GrainValues& values)
 {
-    unpack(link.toHomes(packed(values, grainsOf(values)), int(widthOf(values))), values);
+    NewValues atHome(values, link.rows());
+    link.toHomes(atHome.columns());
+    atHome.replace();
 }
 
 void sendBack(const ::nscd::GrainLink& link, const GrainValues& values)
 {
-    unpack(link.toOwners(packed(values, link.rows()), int(widthOf(values))), values);
+    NewValues atOwners(values, link.grains());
+    link.toOwners(atOwners.columns());
+    atOwners.replace();
 }
 
 /// What a clump covers is no farther from the center of its first member [m].

@@ -103,16 +103,8 @@ extern "C" bool _ZN4Foam12nscdCoupling10CoupledRun8nextStepEv(void* self)
 // Between the owners of grains and their homes.
 COUNTED("homes", void*, _ZN4Foam12nscdCoupling10GrainHomes6updateERKN4nscd6GrainsE, (void* self, const void* grains), (self, grains))
 COUNTED("homes connect", void, _ZN4nscd9GrainLink7connectERKSt6vectorIiSaIiEE, (void* self, const void* homes), (self, homes))
-COUNTED
-(
-    "to homes", Numbers, _ZNK4nscd9GrainLink7toHomesERKSt6vectorIdSaIdEEi, (void* self, const Numbers& values, int width),
-    (self, values, width)
-)
-COUNTED
-(
-    "to owners", Numbers, _ZNK4nscd9GrainLink8toOwnersERKSt6vectorIdSaIdEEi, (void* self, const Numbers& values, int width),
-    (self, values, width)
-)
+COUNTED("to homes", void, _ZNK4nscd9GrainLink7toHomesERKSt6vectorINS_11GrainColumnESaIS2_EE, (void* self, const void* columns), (self, columns))
+COUNTED("to owners", void, _ZNK4nscd9GrainLink8toOwnersERKSt6vectorINS_11GrainColumnESaIS2_EE, (void* self, const void* columns), (self, columns))
 
 // Between the ranks of cells and those that hold copies.
 COUNTED("cells to halo", void, _ZNK4Foam12nscdCoupling12HaloExchange6toHaloERKNS0_10CellFieldsE, (void* self, const void* fields), (self, fields))
