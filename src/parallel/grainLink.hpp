@@ -9,7 +9,7 @@
 namespace nscd
 {
 
-/// Numbers of grains on their way: `width` of each, one grain behind the other.
+/// Numbers of grains on their way: `width` of each, one grain behind the other. `from` and `to` must not overlap.
 struct GrainColumn
 {
     const double* from;
@@ -20,7 +20,7 @@ struct GrainColumn
 
 /// Joins each own grain with a row at its home. Rows are sorted by (rank of the owner, index there). All functions are collective.
 /// What has its home on the rank that owns it is copied from column to column, only the rest is packed.
-/// Cost: connect() one message per home and a barrier; toHomes() and toOwners() one message per pair of ranks that share grains
+/// Cost: connect() one message per other home and a barrier; toHomes() and toOwners() one message per pair of ranks that share grains
 class GrainLink
 {
 public:

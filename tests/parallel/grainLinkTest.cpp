@@ -74,5 +74,6 @@ TEST(GrainLink, refusesWhatIsNoRankOrDoesNotFit)
     const double from[2] = {1.0, 2.0};
     double to[2];
     EXPECT_THROW(link.toHomes({{from, 2, to, 1}}), std::invalid_argument);
+    EXPECT_THROW(link.toHomes({{from, 1, to, 1}, {from, 2, to, 1}}), std::invalid_argument);
     EXPECT_THROW(link.toOwners({{from, 0, to, 1}}), std::invalid_argument);
 }

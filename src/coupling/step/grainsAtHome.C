@@ -17,6 +17,8 @@ namespace nscdCoupling
 namespace
 {
 
+static_assert(sizeof(Vec3) == 3*sizeof(double), "vectors travel as three numbers each");
+
 /// Values of so many grains instead of those that they are made from.
 class NewValues
 {
@@ -24,9 +26,12 @@ public:
     NewValues(const GrainValues& values, std::size_t grains)
     :
         values_(values),
-        scalars_(values.scalars.size(), std::vector<scalar>(grains)),
-        vectors_(values.vectors.size(), std::vector<Vec3>(grains))
-    {}
+        scalars_(values.scalars.size()),
+        vectors_(values.vectors.size())
+    {
+        for (std::vector<scalar>& field : scalars_) field.resize(grains);
+        for (std::vector<Vec3>& field : vectors_) field.resize(grains);
+    }
 
     std::vector<::nscd::GrainColumn> columns()
     {
