@@ -55,13 +55,6 @@ void unpack(const std::vector<double>& numbers, const std::vector<GrainColumn>& 
     }
 }
 
-std::size_t sum(const std::vector<RankCount>& counts)
-{
-    std::size_t sum = 0;
-    for (const RankCount& entry : counts) sum += entry.count;
-    return sum;
-}
-
 } // namespace
 
 void GrainLink::connect(const std::vector<int>& homes)
@@ -89,32 +82,27 @@ void GrainLink::connect(const std::vector<int>& homes)
     for (const RankCount& home : homes_) pack(&home.count, 1, counts.emplace_back(Message{home.rank, {}}).bytes);
     owners_.clear();
     firstStaying_ = 0;
+    rows_ = staying_.size();
     for (const Message& message : all_.exchange(counts))
     {
         std::vector<int> count;
         unpack(message.bytes, count);
         owners_.push_back({message.rank, count.front()});
+        rows_ += count.front();
         if (message.rank < all_.rank()) firstStaying_ += count.front();
     }
-    rows_ = sum(owners_) + staying_.size();
-}
-
-std::vector<std::size_t> GrainLink::rowsOfOthers() const
-{
-    std::vector<std::size_t> rows(rows_ - staying_.size());
-    std::iota(rows.begin(), rows.end(), std::size_t(0));
-    for (std::size_t k = firstStaying_; k < rows.size(); ++k) rows[k] += staying_.size();
-    return rows;
+    arriving_.resize(rows_ - staying_.size());
+    std::iota(arriving_.begin(), arriving_.end(), std::size_t(0));
+    for (std::size_t k = firstStaying_; k < arriving_.size(); ++k) arriving_[k] += staying_.size();
 }
 
 void GrainLink::toHomes(const std::vector<GrainColumn>& columns) const
 {
     checkLengths(columns, grains_);
     const int width = widthOf(columns);
-    const std::vector<std::size_t> arriving = rowsOfOthers();
-    std::vector<double> received(arriving.size()*width);
+    std::vector<double> received(arriving_.size()*width);
     all_.transfer(homes_, packed(columns, leaving_).data(), owners_, received.data(), width);
-    unpack(received, columns, arriving);
+    unpack(received, columns, arriving_);
     for (const GrainColumn& column : columns)
     {
         double* to = column.to + firstStaying_*column.width;
@@ -127,7 +115,7 @@ void GrainLink::toOwners(const std::vector<GrainColumn>& columns) const
     checkLengths(columns, rows_);
     const int width = widthOf(columns);
     std::vector<double> received(leaving_.size()*width);
-    all_.transfer(owners_, packed(columns, rowsOfOthers()).data(), homes_, received.data(), width);
+    all_.transfer(owners_, packed(columns, arriving_).data(), homes_, received.data(), width);
     for (const GrainColumn& column : columns)
     {
         std::fill_n(column.to, grains_*column.width, 0.0);

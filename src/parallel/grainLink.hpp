@@ -46,14 +46,13 @@ public:
     void toOwners(const std::vector<GrainColumn>& columns) const;
 
 private:
-    std::vector<std::size_t> rowsOfOthers() const;
-
     const Communicator& all_;
     std::size_t grains_ = 0;
     std::size_t rows_ = 0;
     std::vector<RankCount> homes_;       ///< of own grains, on other ranks
     std::vector<RankCount> owners_;      ///< of the rows here, other ranks
     std::vector<std::size_t> leaving_;   ///< own grains with these homes, in the order of the messages
+    std::vector<std::size_t> arriving_;  ///< rows here of other ranks' grains
     std::vector<std::size_t> staying_;   ///< own grains with their home here
     std::size_t firstStaying_ = 0;       ///< the row of the first of them; the others' follow
 };
