@@ -25,10 +25,11 @@ struct SolverStrategy
     /// presses on it may have no solution at all: to the cap, a layer of 395 discs sheared so takes six times as long, and is not right either.
     struct Forces
     {
-        /// Elsewhere, forces that were off are looked at so often: beds of 10 000 spheres at rest, 25 and 50 layers, take 82 sweeps a step; only where finer velocities are met, 200.
-        int sweepsBetween = 10;
         int leastSweeps = 20;
+        int sweepsBetween = 10;     ///< elsewhere, looks at forces that were off
         double share = 2.0;         ///< of the sweeps that velocities took
+        int leastPolishing = 100;   ///< elsewhere, sweeps after which forces within their limit are polished no more,
+        double polishingShare = 20.0;   ///< and so many for each that velocities took
     } forces;
 
     /// After a sweep of a flow the residual is looked at where it may meet the rule though what the sweep met did not. A look costs most of a sweep.

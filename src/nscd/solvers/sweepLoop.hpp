@@ -70,7 +70,7 @@ SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settin
         const DefectSums sums = help.pass();
         if (!std::isfinite(sums.sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
         if (++report.sweeps == 1) rule.emplace(makeStopRule(problem, settings, sums), settings);
-        rule->endPolish(report.sweeps);
+        rule->endPolishing(report.sweeps);
         const bool isMet = rule->now().isMet(sums);
         DefectSums left = sums;
         if (problem.isFlowing() && looks.areDue(report.sweeps, sums, rule->now())) looks.note(sums, left = residualOfActive(problem));

@@ -16,6 +16,12 @@ inline int lastSweepForForces(int met, const SolverStrategy::Forces& strategy)
     return met + std::max(strategy.leastSweeps, static_cast<int>(strategy.share*met));
 }
 
+/// Sweeps after which forces are polished no more: a deep bed that rocks takes a thousand, and is not much nearer to rest then.
+inline int lastSweepForPolishing(int met, const SolverStrategy::Forces& strategy)
+{
+    return strategy.leastPolishing + static_cast<int>(strategy.polishingShare*met);
+}
+
 /// The rule that a solve follows: the one asked for, and a finer one where forces ask for it once the velocities are met.
 class ForceRule
 {
@@ -34,25 +40,25 @@ public:
     bool judge(const SolveReport& report, const DefectSums& left)
     {
         if (met_ < 0) met_ = report.sweeps;
-        const double sought = isPolishOver(report.sweeps) ? asked_.forceLimit : asked_.polishedForce;
-        arePolished_ = report.forceError <= asked_.forceLimit;
-        now_.areForcesOff = now_.areForcesOff || !arePolished_;
-        if (report.forceError > sought) now_.tighten(left, report.forceError/sought);
-        return report.forceError <= sought;
+        const double sought = report.sweeps < 2*met_ + settings_.polishSweeps ? asked_.polishedForce : asked_.forceLimit;
+        areWithin_ = report.forceError <= asked_.forceLimit;
+        wereOff_ = wereOff_ || !areWithin_;
+        if (report.forceError <= sought) return true;
+        now_.areForcesOff = true;
+        now_.tighten(left, report.forceError/sought);
+        return false;
     }
 
-    /// Forces that were within their limit, and not polished in time, do.
-    void endPolish(int sweeps)
+    /// Forces within their limit that are not polished in time do as they are.
+    void endPolishing(int sweeps)
     {
-        if (!arePolished_ || !isPolishOver(sweeps)) return;
-        now_ = asked_;
-        arePolished_ = false;
+        if (areWithin_ && sweeps >= lastSweepForPolishing(met_, settings_.strategy.forces)) now_ = asked_;
     }
 
     /// Where forces were off, whether their limit is met by now, though the finer velocities are not: looked at now and then.
     bool areForcesMet(int sweeps, ContactProblem& problem) const
     {
-        if (!now_.areForcesOff || problem.areForcesBounded() || sweeps % settings_.strategy.forces.sweepsBetween != 0) return false;
+        if (!wereOff_ || problem.areForcesBounded() || sweeps % settings_.strategy.forces.sweepsBetween != 0) return false;
         const DefectSums left = residual(problem);
         return asked_.isMet(left) && forceErrorNow(asked_, problem, left) <= asked_.forceLimit;
     }
@@ -64,12 +70,11 @@ public:
     }
 
 private:
-    bool isPolishOver(int sweeps) const { return sweeps >= 2*met_ + settings_.polishSweeps; }
-
     StopRule asked_, now_;
     const ContactSettings& settings_;
-    int met_ = -1;               ///< sweeps after which the velocities asked for were met
-    bool arePolished_ = false;   ///< being polished: within their limit when looked at last
+    int met_ = -1;             ///< sweeps after which the velocities asked for were met
+    bool areWithin_ = false;   ///< their limit, the forces that were judged last
+    bool wereOff_ = false;     ///< beyond their limit, when judged
 };
 
 } // namespace nscd

@@ -32,7 +32,7 @@ struct StopRule
     double polishedMax;
     double forceLimit;   ///< [-]
     double polishedForce;
-    bool areForcesOff = false;   ///< as a solution that met the velocities told: weight has not come down
+    bool areForcesOff = false;   ///< as a solution that met the velocities told: beyond what is sought, weight has not come down
 
     bool isMet(const DefectSums& sums) const { return isWithin(sums, rmsLimit, maxLimit); }
     bool isPolished(const DefectSums& sums) const { return isWithin(sums, polishedRms, polishedMax); }
