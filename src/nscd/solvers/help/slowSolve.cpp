@@ -45,10 +45,10 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
         solveClusters(sweeps, rule);
         return 0;
     }
-    if (rule.areForcesOff && !isFalling_ && !problem_.areForcesBounded())
+    if (rule.areForcesOff && !isFalling_ && sweeps > strategy_.slowness.flowPatience && canBringForcesDown())
     {
         isFalling_ = true;
-        if (!momentum_ && hasHelp()) start(sweeps);
+        start(sweeps);
         return 0;
     }
     if (!anderson_ && !momentum_)
@@ -91,10 +91,12 @@ bool SlowSolve::isSlow(int sweepsBetween, const DefectSums& sums)
     return isSlow;
 }
 
-/// Where mixing would do without momentum: it hardly moves what is off in a bed as a whole.
+/// By momentum, where mixing is used otherwise: that hardly moves what is off in a bed as a whole.
+bool SlowSolve::canBringForcesDown() const { return strategy_.momentum.isOn && !problem_.areForcesBounded(); }
+
 bool SlowSolve::areForcesOff(const StopRule& rule) const
 {
-    return !problem_.areForcesBounded() && forceErrorNow(rule, problem_, residual(problem_)) > rule.forceLimit;
+    return canBringForcesDown() && forceErrorNow(rule, problem_, residual(problem_)) > rule.forceLimit;
 }
 
 void SlowSolve::start(int sweeps)

@@ -46,6 +46,7 @@ private:
     int solveLocally(int sweeps, const StopRule& rule);
     bool isSlow(int sweepsBetween, const DefectSums& sums);
     void start(int sweeps);
+    bool canBringForcesDown() const;
     bool areForcesOff(const StopRule& rule) const;
     bool isFlowing() const;
     bool hasHelp() const;
