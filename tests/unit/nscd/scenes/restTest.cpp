@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 using namespace scenes;
 
@@ -21,7 +22,7 @@ void expectRest(const Scene& scene)
     settings.sleep = false;  // what is asleep shows nothing of the solver
     auto dynamics = scene.build(settings);
     for (int k = 0; k < 500; ++k) step(dynamics, scene.g, deltaT);
-    // Grains rock in their hollows, some once a second: more drag than this only keeps them from getting to the bottom.
+    // Grains rock in their hollows, one that was followed once a second: more drag only keeps them from getting to the bottom.
     for (int k = 0; k < 4000; ++k) stepDamped(dynamics, scene.g, deltaT, 10.0);
     for (int k = 0; k < 200; ++k) step(dynamics, scene.g, deltaT);
 
@@ -59,7 +60,11 @@ TEST(Rest, spheres)
 {
     for (int perSide : {4, 5, 6})
     {
-        for (int layers : {4, 6, 7}) expectRest(heap(3, perSide, layers, radius, 0.8, 0.5));
+        for (int layers : {4, 6, 7})
+        {
+            SCOPED_TRACE(std::to_string(perSide) + " a side, " + std::to_string(layers) + " layers");
+            expectRest(heap(3, perSide, layers, radius, 0.8, 0.5));
+        }
     }
 }
 
