@@ -26,6 +26,7 @@ struct SolverStrategy
     struct Forces
     {
         int leastSweeps = 20;
+        int sweepsBetween = 10;     ///< elsewhere, looks at forces that were off
         double share = 2.0;         ///< of the sweeps that velocities took
     } forces;
 
@@ -67,7 +68,7 @@ struct SolverStrategy
         double growthAllowed = 4.0;    ///< of the sum of squared defects [-]: a help after which it grows by more is taken back
         int probation = 60;            ///< sweeps in which the sum of squared defects must fall below `leastProgress`
         double leastProgress = 0.9;    ///< of what it was [-], else the help pauses: high friction can trap it
-        int pause = 30;                ///< sweeps, twice as many each time
+        int pause = 30;                ///< sweeps, twice as many each time but where weight comes down: there the rms is no sign of failure
     } slowness;
 
     /// Momentum of sweeps: in cold solves, and in flows (sweepMomentum.hpp).

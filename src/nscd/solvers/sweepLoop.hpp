@@ -6,9 +6,11 @@
 #pragma once
 
 #include "nscd/solvers/contactSolver.hpp"
+#include "nscd/solvers/problem/forceRule.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace nscd
@@ -45,12 +47,6 @@ private:
     double share_;  ///< of the rms that a sweep meets, what it leaves
 };
 
-/// Sweeps after which a flow, or a bed that walls drive, is done with its forces, of a solve that met the velocities asked for after `met` sweeps: see SolverStrategy::Forces.
-inline int lastSweepForForces(int met, const SolverStrategy::Forces& strategy)
-{
-    return met + std::max(strategy.leastSweeps, static_cast<int>(strategy.share*met));
-}
-
 /// Repeats passes until the rule is met and the solution polished, or maxSweeps, or, in a flow or under walls that drive, once velocities are met, as many as its forces are worth.
 /// `help` makes them and acts between them: DefectSums pass() returns the defects it met; int afterSweep(sweeps, sums, rule) returns the work it did, in sweeps; forget() is called when
 /// blocks woke up; polish(sums, rule) tells whether a solution that meets the rule is polished, or now is; complete(report, rule) with
@@ -60,39 +56,35 @@ template<class Help>
 SolveReport sweepUntilMet(ContactProblem& problem, const ContactSettings& settings, Help& help)
 {
     SolveReport report;
-    StopRule asked{}, rule{};   // the latter finer where forces ask for it
-    int polishing = 0, met = -1;   // sweeps
+    std::optional<ForceRule> rule;
+    int polishing = 0;   // sweeps
     Looks looks(settings.strategy.looks);
     const auto isSolved = [&]()
     {
-        help.complete(report, rule);
-        const DefectSums left = reportResidual(report, asked, problem);
-        if (!asked.isMet(left)) return false;
-        if (met < 0) met = report.sweeps;
-        const double sought = report.sweeps < 2*met + settings.polishSweeps ? asked.polishedForce : asked.forceLimit;
-        if (report.forceError > sought) rule.tighten(left, report.forceError/sought);
-        return report.forceError <= sought;
+        help.complete(report, rule->now());
+        const DefectSums left = reportResidual(report, rule->asked(), problem);
+        return rule->asked().isMet(left) && rule->judge(report, left);
     };
     while (report.sweeps < settings.maxSweeps)
     {
         const DefectSums sums = help.pass();
         if (!std::isfinite(sums.sumSquares)) throw std::runtime_error("contact solve met a velocity that is not finite");
-        if (++report.sweeps == 1) rule = asked = makeStopRule(problem, settings, sums);
-        const bool isMet = rule.isMet(sums);
+        if (++report.sweeps == 1) rule.emplace(makeStopRule(problem, settings, sums), settings);
+        const bool isMet = rule->now().isMet(sums);
         DefectSums left = sums;
-        if (problem.isFlowing() && looks.areDue(report.sweeps, sums, rule)) looks.note(sums, left = residualOfActive(problem));
-        const bool isPolishing = isMet && polishing < settings.polishSweeps && !help.polish(sums, rule);
+        if (problem.isFlowing() && looks.areDue(report.sweeps, sums, rule->now())) looks.note(sums, left = residualOfActive(problem));
+        const bool isPolishing = isMet && polishing < settings.polishSweeps && !help.polish(sums, rule->now());
         if (isPolishing) ++polishing;
-        else if (rule.isMet(left) && isSolved()) return report;
-        if (met > 0 && problem.areForcesBounded() && report.sweeps >= lastSweepForForces(met, settings.strategy.forces) && asked.isMet(residual(problem))) break;
-        const bool hasFailed = rule.isMet(left) && !isPolishing;
+        else if ((rule->now().isMet(left) || rule->areForcesMet(report.sweeps, problem)) && isSolved()) return report;
+        if (rule->areForcesGivenUp(report.sweeps, problem)) break;
+        const bool hasFailed = rule->now().isMet(left) && !isPolishing;
         if ((hasFailed || isWakingDue(report.sweeps, problem, settings.strategy.waking)) && wakeBlocks(problem)) help.forget();
-        const int work = help.afterSweep(report.sweeps, left, rule);
+        const int work = help.afterSweep(report.sweeps, left, rule->now());
         report.sweeps += work;
-        if (work > 0 && problem.isFlowing() && rule.isMet(residual(problem)) && isSolved()) return report;
+        if (work > 0 && problem.isFlowing() && rule->now().isMet(residual(problem)) && isSolved()) return report;
     }
-    help.complete(report, rule);
-    reportResidual(report, asked, problem);
+    help.complete(report, rule->now());
+    reportResidual(report, rule->asked(), problem);
     report.atCap = !report.converged && report.sweeps >= settings.maxSweeps;
     return report;
 }

@@ -87,12 +87,15 @@ void keepVelocities(const ContactList& list, std::vector<Vec3>& velocity)
     for (std::size_t body = 0; body < velocity.size(); ++body) velocity[body] = Vec3(list.bodies[body].v);
 }
 
-double rmsOfChanges(const ContactList& list, const std::vector<Vec3>& ofGrains)
+void setFalls(const ContactList& list, const std::vector<Vec3>& ofGrains, const std::vector<Vec3>& freeVelocity, std::vector<double>& fall)
 {
-    double sums[2] = {0.0, static_cast<double>(list.owned())};
-    for (int body = 0; body < list.owned(); ++body) sums[0] += (Vec3(list.bodies[body].v) - ofGrains[list.grainOf[body]]).squaredNorm();
-    list.halo.sum(sums, 2);
-    return std::sqrt(sums[0]/std::max(1.0, sums[1]));
+    fall.assign(ofGrains.size(), 0.0);
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        const int i = list.grainOf[body];
+        const Vec3 byAll = Vec3(list.bodies[body].v) - ofGrains[i], byForces = freeVelocity[body] - ofGrains[i];
+        fall[i] = std::sqrt(std::min(byAll.squaredNorm(), byForces.squaredNorm()));
+    }
 }
 
 bool isInPlane(const ContactList& list, int axis)

@@ -20,8 +20,9 @@ void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalFo
 /// Copies the velocities of the list's own bodies [m/s].
 void keepVelocities(const ContactList& list, std::vector<Vec3>& velocity);
 
-/// What velocities of the lists' own bodies differ by from their grains', rms over all ranks [m/s].
-double rmsOfChanges(const ContactList& list, const std::vector<Vec3>& ofGrains);
+/// What forces change a grain's velocity by in a step that contacts let be: the smaller of the changes from `ofGrains`, at its start, to the free velocity
+/// of its body and to that which the body has. What rests does not fall; what is hit changes by no more than forces do. Zero where no body of the list is the grain's.
+void setFalls(const ContactList& list, const std::vector<Vec3>& ofGrains, const std::vector<Vec3>& freeVelocity, std::vector<double>& fall);
 
 /// Whether, to the bit, no body moves along an axis or turns about another one, and all lie in one plane, on this rank.
 bool isInPlane(const ContactList& list, int axis);

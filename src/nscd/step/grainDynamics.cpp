@@ -122,7 +122,6 @@ void GrainDynamics::Implementation::prepareSolve(const ExternalForces& external)
     setFreeVelocities(list, grains, external, deltaT, sleep);
     if (!list.general.empty()) setFreeGeneral(list, grains, external, deltaT, sleep);
     keepVelocities(list, freeVelocity);
-    if (!exchange->isParallel() || areListsLong) fall = rmsOfChanges(list, grains.velocity);
     movingWalls.setVelocities(list, box, grains.shape.emptyAxis);
     if (!list.fastPairs.empty()) aimFastPairs(list, box, deltaT);
     chooseKernelsOfStep();
@@ -190,9 +189,11 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
         {
             velocity[list.grainOf[body]] = Vec3(list.bodies[body].v);
         }
+        setFalls(list, grains.velocity, freeVelocity, fall);
         rebuildList(velocity, attempt + 1.0);
         report = together(report, solveAndWake(external));
     }
+    setFalls(list, grains.velocity, freeVelocity, fall);
     return report;
 }
 

@@ -65,7 +65,7 @@ struct GrainDynamics::Implementation
     int stepsOfManyImpacts = 0;   // in a row
     PackedContacts packing;
     std::vector<Vec3> freeVelocity;   // of the list's own bodies in the present solve [m/s]
-    double fall = 0.0;                // what forces changed these by, rms; on several ranks where lists are long [m/s]
+    std::vector<double> fall;         // of grains, in the last step: see setFalls [m/s]
     StepReport lastReport;
     bool isStepBegun = false;
     bool isAnyDrivenAnew = false;    // of the held grains here, since the last step began
@@ -105,6 +105,7 @@ struct GrainDynamics::Implementation
     void rebuildList(const std::vector<Vec3>& velocity, double margin);
     void refuseBeyondPeriods(const std::vector<Vec3>& velocity, const Vec3& mean) const;
     ListPlan planList(const std::vector<Vec3>& velocity, double margin) const;
+    std::vector<double> fallsBeyondSkin() const;
     void fitStepsPerList();
     void chooseKernelsOfStep();
     SolveReport solveVelocities(const ExternalForces& external);

@@ -199,7 +199,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     self.shockImpulses.clear();
     self.stepsPerList = fewestStepsPerList;
     self.areListsLong = false;
-    self.fall = 0.0;
+    self.fall.clear();
     self.isListStale = true;
     self.isStepBegun = false;
     return byIdentity(self.restored, self.grains);
@@ -224,7 +224,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.shockImpulses.clear();
     self.stepsPerList = fewestStepsPerList;
     self.areListsLong = false;
-    self.fall = 0.0;
+    self.fall.clear();
     self.isListStale = true;
     self.isStepBegun = false;
 }

@@ -60,11 +60,18 @@ ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& veloci
     // Over many steps grains do not fly straight, nor where impacts were far from what was foreseen.
     if (margin <= widestMargin && !isListStale && stepsPerList == fewestStepsPerList)
     {
-        const bool isHeldBySkin = fallsOfTwoSteps*deltaT*fall <= skinOfGrain();
-        return planByPaths(list, velocity, diameter, deltaT, {isHeldBySkin ? 0.0 : fall, margin, areListsLong});
+        return planByPaths(list, velocity, diameter, deltaT, {fallsBeyondSkin(), margin, areListsLong});
     }
     if (deltaT*mean.norm() <= fastFlow*diameter) return planBySpeeds(velocity, commonSpeed, time, margin);
     return planAroundMean(velocity, mean, std::sqrt(std::max(0.0, sums[0]/number - mean.squaredNorm())), time, margin);
+}
+
+std::vector<double> GrainDynamics::Implementation::fallsBeyondSkin() const
+{
+    std::vector<double> beyond(fall.size());
+    const double held = skinOfGrain()/(fallsOfTwoSteps*deltaT);
+    std::transform(fall.begin(), fall.end(), beyond.begin(), [=](double change) { return change > held ? change : 0.0; });
+    return beyond;
 }
 
 WallsOfStep GrainDynamics::Implementation::wallsOfStep() const

@@ -78,11 +78,11 @@ ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity,
     plan.expected.time = steps*deltaT;
     plan.expected.velocity = velocity;
     // After n steps a grain that falls is off its path by n (n + 1)/2 a dt^2.
-    const double falling = 0.5*(steps + 1.0)*off.fall;
+    const double fallsOfMean = 0.5*(steps + 1.0);
     for (std::size_t i = 0; i < plan.speed.size(); ++i)
     {
         // Where impacts were not foreseen, one that was hit may have hit another.
-        plan.speed[i] = velocity[i].norm() + std::max(off.margin*plan.speed[i], (off.margin - 1.0)*impacts) + falling;
+        plan.speed[i] = velocity[i].norm() + std::max(off.margin*plan.speed[i], (off.margin - 1.0)*impacts) + (off.fall.empty() ? 0.0 : fallsOfMean*off.fall[i]);
     }
     return plan;
 }

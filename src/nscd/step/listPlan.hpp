@@ -19,7 +19,7 @@ struct ListPlan
 /// What a plan by paths allows for beside the impacts that the list so far foresees.
 struct OffPaths
 {
-    double fall = 0.0;      ///< what forces change a grain's velocity by in a step, in the mean (rms) [m/s]
+    std::vector<double> fall;   ///< of each grain, what forces change its velocity by in a step [m/s]; empty: nothing
     double margin = 1.0;    ///< what impacts may be exceeded by [-]
     bool areListsLong = false;    ///< many candidates a grain so far: fewer then, for fewer steps and for impacts by the time that is left after them
 };

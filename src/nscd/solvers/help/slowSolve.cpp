@@ -33,7 +33,7 @@ SlowSolve::SlowSolve(ContactProblem& problem, const SolverStrategy& strategy)
 :
     problem_(problem),
     strategy_(strategy),
-    isCold_(isCold(problem)),
+    isFalling_(isCold(problem)),
     haveClusters_(haveStiffClusters(problem, strategy.clusters)),
     pause_(strategy.slowness.pause)
 {}
@@ -45,12 +45,22 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
         solveClusters(sweeps, rule);
         return 0;
     }
+    if (rule.areForcesOff && !isFalling_ && sweeps > strategy_.slowness.flowPatience && canBringForcesDown())
+    {
+        isFalling_ = true;
+        start(sweeps);
+        return 0;
+    }
     if (!anderson_ && !momentum_)
     {
         // What each rank knows of itself, before anything depends on it: velocities extrapolated on some ranks alone would not be those of the impulses.
-        if (sweeps == strategy_.slowness.flowPatience) isCold_ = !problem_.halo.any(!isCold_);
-        const int sweepsToWait = isCold_ ? strategy_.slowness.coldPatience : isFlowing() ? strategy_.slowness.flowPatience : strategy_.slowness.patience;
-        if (sweeps % sweepsToWait == 0 && isSlow(sweepsToWait, sums) && hasHelp()) start(sweeps);
+        if (sweeps == strategy_.slowness.flowPatience) isFalling_ = !problem_.halo.any(!isFalling_);
+        const int sweepsToWait = isFalling_ ? strategy_.slowness.coldPatience : isFlowing() ? strategy_.slowness.flowPatience : strategy_.slowness.patience;
+        if (sweeps % sweepsToWait == 0 && isSlow(sweepsToWait, sums))
+        {
+            isFalling_ = isFalling_ || areForcesOff(rule);
+            if (hasHelp()) start(sweeps);
+        }
         return isLocal(sweeps, sums, rule) && !hasHelp() ? solveLocally(sweeps, rule) : 0;
     }
     best_ = std::min(best_, sums.sumSquares);
@@ -75,10 +85,18 @@ bool SlowSolve::isMixingDue(const DefectSums& sums, const StopRule& rule) const
 
 bool SlowSolve::isSlow(int sweepsBetween, const DefectSums& sums)
 {
-    const double fast = !isCold_ && isFlowing() ? strategy_.slowness.fastFlowContraction : strategy_.slowness.fastContraction;
+    const double fast = !isFalling_ && isFlowing() ? strategy_.slowness.fastFlowContraction : strategy_.slowness.fastContraction;
     const bool isSlow = sums.sumSquares > std::pow(fast, 2*sweepsBetween)*squaresBefore_;
     squaresBefore_ = sums.sumSquares;
     return isSlow;
+}
+
+/// By momentum, where mixing is used otherwise: that hardly moves what is off in a bed as a whole.
+bool SlowSolve::canBringForcesDown() const { return strategy_.momentum.isOn && !problem_.areForcesBounded(); }
+
+bool SlowSolve::areForcesOff(const StopRule& rule) const
+{
+    return canBringForcesDown() && forceErrorNow(rule, problem_, residual(problem_)) > rule.forceLimit;
 }
 
 void SlowSolve::start(int sweeps)
@@ -87,15 +105,16 @@ void SlowSolve::start(int sweeps)
     makeMixing();
 }
 
-bool SlowSolve::hasHelp() const { return isCold_ || isFlowing() ? strategy_.momentum.isOn : strategy_.mixing.isOn; }
+bool SlowSolve::hasHelp() const { return isFalling_ || isFlowing() ? strategy_.momentum.isOn : strategy_.mixing.isOn; }
 
 bool SlowSolve::isFlowing() const { return problem_.isFlowing() && !problem_.general; }
 
 void SlowSolve::makeMixing()
 {
-    if (isCold_ || isFlowing())
+    if (isFalling_ || isFlowing())
     {
-        const auto kind = isCold_ ? SweepMomentum::Kind::falling : SweepMomentum::Kind::flowing;
+        const auto kind = isFalling_ ? SweepMomentum::Kind::falling : SweepMomentum::Kind::flowing;
+        anderson_.reset();
         if (!momentum_) momentum_ = std::make_unique<SweepMomentum>(problem_, kind, strategy_.momentum);
     }
     else
@@ -140,7 +159,7 @@ void SlowSolve::judgeTerm(int sweeps)
 {
     const bool isFailing = !isPausing_ && best_ > strategy_.slowness.leastProgress*bestBefore_;
     if (isPausing_) restart();
-    if (isFailing) pause_ *= 2;
+    if (isFailing && !isFalling_) pause_ *= 2;
     isPausing_ = isFailing;
     endOfTerm_ = sweeps + (isFailing ? pause_ : strategy_.slowness.probation);
     bestBefore_ = best_;

@@ -15,8 +15,8 @@
 namespace nscd
 {
 
-/// Watches the sweeps of one solve. After some sweeps it mixes iterates, or gives them momentum where the solve began without any
-/// impulse or most grains move, which shortens what is slow everywhere (weight passed down through layers). When all that is left
+/// Watches the sweeps of one solve. After some sweeps it mixes iterates, or gives them momentum where most grains move or weight has to
+/// come down (the solve began without any impulse, or forces are off), which shortens what is slow everywhere. When all that is left
 /// is a few bad contacts it works those off by a queue, since clusters that wedge or slip take hundreds of visits and would
 /// otherwise make as many sweeps over everything.
 class SlowSolve
@@ -46,6 +46,8 @@ private:
     int solveLocally(int sweeps, const StopRule& rule);
     bool isSlow(int sweepsBetween, const DefectSums& sums);
     void start(int sweeps);
+    bool canBringForcesDown() const;
+    bool areForcesOff(const StopRule& rule) const;
     bool isFlowing() const;
     bool hasHelp() const;
     void makeMixing();
@@ -58,10 +60,10 @@ private:
 
     ContactProblem& problem_;
     const SolverStrategy& strategy_;
-    bool isCold_;               ///< started without any impulse (here, until all ranks were asked)
+    bool isFalling_;            ///< weight has to come down: started without any impulse (here, until all ranks were asked), or forces are off
     bool haveClusters_;
     std::unique_ptr<AndersonAcceleration> anderson_;
-    std::unique_ptr<SweepMomentum> momentum_;   ///< in its place in a cold solve, and in a flow
+    std::unique_ptr<SweepMomentum> momentum_;   ///< in its place where weight comes down, and in a flow
     AndersonAcceleration::Impulses start_;      ///< impulses after the last mixing
     std::unique_ptr<ContactQueue> queue_;
     int sinceMixing_ = 0;

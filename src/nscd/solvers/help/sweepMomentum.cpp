@@ -16,13 +16,15 @@ namespace
 
 constexpr int blockSize = 3*blockLanes;
 
-/// Direction of the momentum of all bodies; zero where they have none.
+/// Direction of the momentum that all bodies would have without contacts, where that is known, else of what they have; zero where they have none.
 Vec3 fallingDirection(const ContactProblem& problem)
 {
     Vec3 momentum = Vec3::Zero();
-    for (const Body& body : problem.bodies)
+    const std::size_t count = problem.freeVelocity ? problem.freeVelocity->size() : problem.bodies.size();
+    for (std::size_t k = 0; k < count; ++k)
     {
-        if (body.invMass > 0.0) momentum += Vec3(body.v)/body.invMass;
+        const Body& body = problem.bodies[k];
+        if (body.invMass > 0.0) momentum += (problem.freeVelocity ? (*problem.freeVelocity)[k] : Vec3(body.v))/body.invMass;
     }
     problem.halo.sum(momentum.data(), 3);
     return momentum.norm() > 0.0 ? Vec3(momentum.normalized()) : Vec3::Zero();

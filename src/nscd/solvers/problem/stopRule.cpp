@@ -19,6 +19,11 @@ StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& sett
     return {rmsLimit, maxLimit, speed, polish*rmsLimit, polish < 1.0 ? polish*std::min(maxLimit, polishing.loneDefect*rmsLimit) : maxLimit, settings.forceTolerance, polish*settings.forceTolerance};
 }
 
+double forceErrorNow(const StopRule& rule, const ContactProblem& problem, const DefectSums& residual)
+{
+    return problem.freeVelocity ? rule.forceError(residual, netImpulse(problem)) : 0.0;
+}
+
 DefectSums reportResidual(SolveReport& report, const StopRule& rule, ContactProblem& problem)
 {
     const DefectSums sums = residual(problem);
@@ -26,7 +31,7 @@ DefectSums reportResidual(SolveReport& report, const StopRule& rule, ContactProb
     report.residualMax = std::sqrt(sums.maxSquare);
     report.speedScale = rule.speedScale;
     report.contacts = static_cast<std::size_t>(sums.active);
-    report.forceError = problem.freeVelocity ? rule.forceError(sums, netImpulse(problem)) : 0.0;
+    report.forceError = forceErrorNow(rule, problem, sums);
     report.converged = rule.isMet(sums) && report.forceError <= rule.forceLimit;
     return sums;
 }

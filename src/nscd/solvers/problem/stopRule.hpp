@@ -32,6 +32,7 @@ struct StopRule
     double polishedMax;
     double forceLimit;   ///< [-]
     double polishedForce;
+    bool areForcesOff = false;   ///< as a solution that met the velocities told: beyond their limit, weight has not come down
 
     bool isMet(const DefectSums& sums) const { return isWithin(sums, rmsLimit, maxLimit); }
     bool isPolished(const DefectSums& sums) const { return isWithin(sums, polishedRms, polishedMax); }
@@ -58,6 +59,9 @@ private:
 
 /// `first` are the defects of the first pass: the approach speeds the solve has to deal with.
 StopRule makeStopRule(const ContactProblem& problem, const ContactSettings& settings, const DefectSums& first);
+
+/// Share of the forces that has not come down in the present solution; 0 where forces are not judged.
+double forceErrorNow(const StopRule& rule, const ContactProblem& problem, const DefectSums& residual);
 
 /// Completes a report with the residual of the solution that a problem has reached, and returns it.
 DefectSums reportResidual(SolveReport& report, const StopRule& rule, ContactProblem& problem);

@@ -80,8 +80,10 @@ TEST(SolverStrategy, defaultsMeetTheStopRule)
 TEST(SolverStrategy, looksMomentumAndMixingSaveSweepsAndChangeNothingElse)
 {
     EXPECT_TRUE(matters([](nscd::SolverStrategy& s) { s.looks.isOn = false; }));
-    EXPECT_TRUE(matters([](nscd::SolverStrategy& s) { s.momentum.isOn = false; }));
-    EXPECT_TRUE(matters([](nscd::SolverStrategy& s) { s.mixing.isOn = false; }));
+    const auto noMomentum = [](nscd::SolverStrategy& s) { s.momentum.isOn = false; };
+    EXPECT_TRUE(matters(noMomentum));
+    EXPECT_NE(settle([](nscd::SolverStrategy& s) { s.momentum.isOn = s.mixing.isOn = false; }).sweeps, settle(noMomentum).sweeps);
+    EXPECT_NE(settle([](nscd::SolverStrategy& s) { s.momentum.isOn = s.mixing.isOn = false; }).sweeps, settle(noMomentum).sweeps);
     EXPECT_TRUE(matters([](nscd::SolverStrategy& s) { s.slowness.patience = s.slowness.coldPatience = s.slowness.flowPatience = 1000; }));
     EXPECT_TRUE(matters([](nscd::SolverStrategy& s) { s.polish.finest = 1.0; }));
 }

@@ -76,6 +76,26 @@ TEST(ContactStep, freeVelocitiesTakeDragInTheirOwnNewVelocity)
     EXPECT_EQ(held.invSpin, 0.0);
 }
 
+TEST(ContactStep, whatRestsDoesNotFallWhatIsHitDoesByItsForces)
+{
+    Scene scene = three();
+    scene.grains.isFixed[2] = 0;
+    const Vec3 fall(0, 0, -9.81*deltaT);
+    const Vec3 changes[] = {1e-6*fall, fall, Vec3(5, 0, 0)};   // at rest, falling, hit
+    nscd::ContactList list = freeList(scene, nscd::ExternalForces());
+    std::vector<Vec3> freeVelocity(list.owned());
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        const int grain = list.grainOf[body];
+        freeVelocity[body] = scene.grains.velocity[grain] + fall;
+        setVelocity(list, grain, scene.grains.velocity[grain] + changes[grain]);
+    }
+    std::vector<double> falls;
+    nscd::setFalls(list, scene.grains.velocity, freeVelocity, falls);
+    const double expected[] = {1e-6*fall.norm(), fall.norm(), fall.norm()};
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(falls[i], expected[i], 1e-12*fall.norm()) << i;
+}
+
 TEST(ContactStep, forcesThatAreNoNumberAreRefused)
 {
     nscd::ExternalForces forces;

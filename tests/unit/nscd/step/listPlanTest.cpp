@@ -3,6 +3,7 @@
 //
 // How long a list is made for, and what speeds it allows for: by hand for a few grains, and for rain on a bed.
 #include "nscd/step/listPlan.hpp"
+#include "unit/nscd/scenes/heaps.hpp"
 #include "unit/nscd/scenes/lists.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +50,7 @@ TEST(ListPlan, grainsThatMeetMayBeThrownOffByTheirRelativeVelocity)
 TEST(ListPlan, strongerImpactsThanForeseenMayHitAnyGrainInAShorterList)
 {
     const double speed = 1.2, margin = 1.5;
-    const nscd::ListPlan plan = planOf(fiveGrains(speed), {0.0, margin, true});
+    const nscd::ListPlan plan = planOf(fiveGrains(speed), {{}, margin, true});
     const double scatter = margin*2*speed*std::sqrt(2.0/5.0);
     EXPECT_DOUBLE_EQ(plan.speed[0], speed + margin*2*speed);
     EXPECT_DOUBLE_EQ(plan.speed[2], speed + (margin - 1.0)*2*speed*std::sqrt(2.0/5.0));
@@ -66,7 +67,7 @@ TEST(ListPlan, inLongListsImpactsCountByTheTimeThatIsLeft)
         scene.addGrain(Vec3(x, 0, 0), radius);
         scene.grains.velocity.back() = Vec3(x > 0 ? -speed : speed, 0, 0);
     }
-    const nscd::ListPlan plan = planOf(scene), ofLongLists = planOf(scene, {0.0, 1.0, true});
+    const nscd::ListPlan plan = planOf(scene), ofLongLists = planOf(scene, {{}, 1.0, true});
     EXPECT_DOUBLE_EQ(plan.speed[0], 3*speed);
     EXPECT_DOUBLE_EQ(ofLongLists.expected.time, deltaT);
     for (int i = 0; i < 2; ++i) EXPECT_NEAR(ofLongLists.speed[i], 2*speed, 1e-12*speed) << i;
@@ -75,7 +76,7 @@ TEST(ListPlan, inLongListsImpactsCountByTheTimeThatIsLeft)
 TEST(ListPlan, grainsMayFallForAsLongAsTheListLasts)
 {
     const double fall = 0.03, speed = 0.01;
-    const nscd::ListPlan plan = planOf(fiveGrains(speed), {fall}), flying = planOf(fiveGrains(speed));
+    const nscd::ListPlan plan = planOf(fiveGrains(speed), {std::vector<double>(5, fall)}), flying = planOf(fiveGrains(speed));
     // Displacements of dt a dt, 2, 3 and 4 in the steps of a list of four.
     for (int i = 0; i < 5; ++i) EXPECT_NEAR(plan.expected.time*(plan.speed[i] - flying.speed[i]), (1 + 2 + 3 + 4)*fall*deltaT, 1e-15) << i;
 }
@@ -126,4 +127,29 @@ TEST(ListPlan, aListLastsWhileGrainsFallFarInAStep)
     int lists = 0;
     for (int k = 0; k < 20; ++k) lists += step(dynamics, scene.g, longStep).listRebuilt;
     EXPECT_LE(lists, 7);    // seen: 7, and 16 where nothing is allowed for the fall
+}
+
+TEST(ListPlan, aBedAtRestHasAShortListInStepsInWhichAGrainFallsFar)
+{
+    constexpr double small = 0.6e-3, pitch = 2.2*small, longStep = 27e-3;   // g dt^2 = 6 d
+    Scene scene(3, 0.3, 0.0);
+    scene.box.length = Vec3(7*pitch, 7*pitch, 0);
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-0.2*small, 0.2*small);
+    for (int n = 0; n < 350; ++n) scene.addGrain(pitch*Vec3(n % 7 + 0.5, n/7 % 7 + 0.5, n/49 + 0.5) + Vec3(unit(random), unit(random), unit(random)), small);
+    nscd::ContactSettings settings;
+    settings.sleep = false;   // what is asleep is in no list
+    scene.addGrain(Vec3(3*pitch, 3*pitch, 2000*small), small);   // still above the bed at the end
+    auto dynamics = scene.build(settings);
+    for (int k = 0; k < 600; ++k) stepDamped(dynamics, scene.g, deltaT);
+    const double most = 20.0*scene.grains.size();
+    int lists = 0;
+    for (int k = 0; k < 10; ++k)
+    {
+        const nscd::StepReport report = step(dynamics, scene.g, longStep);
+        EXPECT_LT(report.candidates, most) << "step " << k;
+        lists += report.listRebuilt;
+    }
+    EXPECT_GT(lists, 2);
 }
