@@ -66,6 +66,7 @@ TEST(ClumpsOnRanks, anyCutMeetsTheLawsAndBalances)
             EXPECT_LE(map.rms, 1.001*settings.tolerance*report.solve.speedScale) << k;
             EXPECT_LE(map.rms, 1.001*report.solve.residualRms) << k;
             EXPECT_LT(map.imbalance, 1e-13) << k;
+            EXPECT_EQ(map.asleep, 0.0) << k;
             EXPECT_LT(map.overlap, 2e-3*diameter) << k;
             EXPECT_GT(map.loaded, 40) << k;
             EXPECT_EQ(run.interfaceContacts() > 0, ranks() > 1) << k;

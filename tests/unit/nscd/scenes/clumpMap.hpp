@@ -17,7 +17,8 @@ struct ClumpMap
 {
     double rms = 0.0;         ///< natural map over contacts that carry an impulse, or should [m/s]
     double max = 0.0;         ///< [m/s]
-    double imbalance = 0.0;   ///< largest |m dv - dt f - sum r|, and the same of L over the radius, over all clumps [N s]
+    double imbalance = 0.0;   ///< largest |m dv - dt f - sum r|, and the same of L over the radius, over all clumps that are awake [N s]
+    double asleep = 0.0;      ///< the same over those that sleep, which lie still to the bit, each in its m g dt: sleep lets forces be off [-]
     double overlap = 0.0;     ///< deepest at the start of the step [m]
     int loaded = 0;
 };
@@ -50,6 +51,7 @@ public:
         sum2_ = 0.0;
         linear_.assign(before.clumps.size(), Vec3::Zero());
         angular_ = linear_;
+        farthest_ = 2.5*largestRadius(before) + 2.0*deltaT_*(largest(before.velocity) + largest(after.velocity));
         const int grains = static_cast<int>(before.size());
         for (int i = 0; i < grains; ++i)
         {
@@ -66,11 +68,14 @@ private:
     {
         if (clumpOf_[i] >= 0 && clumpOf_[i] == clumpOf_[j]) return;
         const Vec3 dx = scene_.box.nearestImage(x.position[i] - x.position[j]);
-        const double gap = dx.norm() - x.radius[i] - x.radius[j];
-        if (gap > 0.5*x.radius[i]) return;
-        const Vec3 n = dx.normalized();
-        const Vec3 u = v.velocity[i] - v.velocity[j] - (x.radius[i]*v.omega[i] + x.radius[j]*v.omega[j]).cross(n);
-        const Vec3 r = judge(n, gap, u, mobility(x, i, -n) + mobility(x, j, n), {i, j});
+        if (dx.squaredNorm() > farthest_*farthest_) return;
+        const double radii = x.radius[i] + x.radius[j];
+        const Vec3 before = x.velocity[i] - x.velocity[j], after = v.velocity[i] - v.velocity[j];
+        if (!mayMeet(dx.norm() - radii, before, after, x.radius[i])) return;
+        const bool areSingle = clumpOf_[i] < 0 && clumpOf_[j] < 0;
+        const Vec3 n = areSingle ? normalOfSingle(dx, before, radii) : dx.normalized();
+        const Vec3 u = after - (x.radius[i]*v.omega[i] + x.radius[j]*v.omega[j]).cross(n);
+        const Vec3 r = judge(n, n.dot(dx) - radii, u, mobility(x, i, -n) + mobility(x, j, n), {i, j});
         account(x, i, -n, r);
         account(x, j, n, -r);
     }
@@ -79,9 +84,27 @@ private:
     {
         const nscd::WallRegion& wall = scene_.walls.regions[region];
         const double gap = wall.normal.dot(x.position[i] - wall.point) - x.radius[i];
-        if (gap > 0.5*x.radius[i]) return;
+        if (!mayMeet(gap, x.velocity[i], v.velocity[i], x.radius[i])) return;
         const Vec3 u = v.velocity[i] - x.radius[i]*v.omega[i].cross(wall.normal);
         account(x, i, -wall.normal, judge(wall.normal, gap, u, mobility(x, i, -wall.normal), {i, -1 - region}));
+    }
+
+    /// Whether the relative velocities before and after the step may close a gap in it: a contact carries its impulse
+    /// across the whole way.
+    bool mayMeet(double gap, const Vec3& before, const Vec3& after, double radius) const
+    {
+        return gap <= 0.5*radius + deltaT_*(before.norm() + after.norm());
+    }
+
+    /// Normal of a pair of single grains. Those that move by more than a quarter of their radii's sum in the
+    /// free motion (u, which weight leaves as it was) have the normal with which they meet in it, or are nearest.
+    Vec3 normalOfSingle(const Vec3& dx, const Vec3& u, double radii) const
+    {
+        const double speed2 = u.squaredNorm(), approach = -dx.dot(u), distance2 = dx.squaredNorm();
+        const bool isFast = deltaT_*std::sqrt(speed2) > 0.25*radii && approach > 0.0 && distance2 > std::pow(1.001*radii, 2);
+        if (!isFast) return dx.normalized();
+        const double root = std::sqrt(std::max(0.0, approach*approach - speed2*(distance2 - radii*radii)));
+        return (dx + std::min(deltaT_, (approach - root)/speed2)*u).normalized();
     }
 
     Vec3 arm(const nscd::Grains& x, int i, const Vec3& toContact) const
@@ -141,13 +164,29 @@ private:
         const double mass = before.shapeOf(c).mass;
         const Vec3 linear = mass*(after.velocity[c] - before.velocity[c]) - deltaT_*mass*scene_.g - linear_[c];
         const Vec3 angular = after.angularMomentum[c] - before.angularMomentum[c] - angular_[c];
-        result_.imbalance = std::max({result_.imbalance, linear.norm(), angular.norm()/memberRadius});
+        const double off = std::max(linear.norm(), angular.norm()/memberRadius);
+        const bool isAsleep = after.velocity[c] == Vec3::Zero() && after.angularMomentum[c] == Vec3::Zero();
+        if (isAsleep) result_.asleep = std::max(result_.asleep, off/(mass*scene_.g.norm()*deltaT_));
+        else result_.imbalance = std::max(result_.imbalance, off);
+    }
+
+    static double largestRadius(const nscd::Grains& x)
+    {
+        return x.radius.empty() ? 0.0 : *std::max_element(x.radius.begin(), x.radius.end());
+    }
+
+    static double largest(const std::vector<Vec3>& vectors)
+    {
+        double squared = 0.0;
+        for (const Vec3& v : vectors) squared = std::max(squared, v.squaredNorm());
+        return std::sqrt(squared);
     }
 
     const Scene& scene_;
     double friction_;
     double deadBand_;
     double deltaT_;
+    double farthest_ = 0.0;   ///< that centers may be apart and meet [m]
     std::vector<int> clumpOf_;
     std::map<std::pair<int, int>, Vec3> impulses_;
     std::vector<Vec3> linear_, angular_;
