@@ -71,7 +71,7 @@ struct SolverStrategy
         int pause = 30;                ///< sweeps, twice as many each time but where weight comes down: there the rms is no sign of failure
     } slowness;
 
-    /// Momentum of sweeps: in cold solves, and in flows (sweepMomentum.hpp).
+    /// Momentum of sweeps: in cold solves, in flows, and where forces are off (sweepMomentum.hpp).
     struct Momentum
     {
         bool isOn = true;
@@ -83,7 +83,7 @@ struct SolverStrategy
         double nearRule = 6.0;         ///< near: an rms below this many limits
     } momentum;
 
-    /// Anderson mixing of sweeps: in warm solves where grains hardly move (andersonAcceleration.hpp).
+    /// Anderson mixing of sweeps: in warm solves where grains hardly move and forces are right (andersonAcceleration.hpp).
     struct Mixing
     {
         bool isOn = true;

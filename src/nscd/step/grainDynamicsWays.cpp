@@ -69,8 +69,8 @@ ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& veloci
 std::vector<double> GrainDynamics::Implementation::fallsBeyondSkin() const
 {
     std::vector<double> beyond(fall.size());
-    const double held = skinOfGrain()/(fallsOfTwoSteps*deltaT);
-    std::transform(fall.begin(), fall.end(), beyond.begin(), [=](double change) { return change > held ? change : 0.0; });
+    const double held = skinOfGrain()/(fallsOfTwoSteps*deltaT), longer = impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0;
+    std::transform(fall.begin(), fall.end(), beyond.begin(), [=](double change) { return longer*change > held ? longer*change : 0.0; });
     return beyond;
 }
 

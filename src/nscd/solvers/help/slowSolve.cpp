@@ -45,7 +45,7 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
         solveClusters(sweeps, rule);
         return 0;
     }
-    if (rule.areForcesOff && !isFalling_ && sweeps > strategy_.slowness.flowPatience && canBringForcesDown())
+    if (rule.wereForcesOff && !isFalling_ && sweeps > strategy_.slowness.flowPatience && canBringForcesDown())
     {
         isFalling_ = true;
         start(sweeps);
@@ -102,6 +102,9 @@ bool SlowSolve::areForcesOff(const StopRule& rule) const
 void SlowSolve::start(int sweeps)
 {
     endOfTerm_ = sweeps + strategy_.slowness.probation;
+    pause_ = strategy_.slowness.pause;
+    isPausing_ = false;
+    best_ = bestBefore_ = std::numeric_limits<double>::max();
     makeMixing();
 }
 
@@ -159,7 +162,7 @@ void SlowSolve::judgeTerm(int sweeps)
 {
     const bool isFailing = !isPausing_ && best_ > strategy_.slowness.leastProgress*bestBefore_;
     if (isPausing_) restart();
-    if (isFailing && !isFalling_) pause_ *= 2;
+    if (isFailing && !(isFalling_ && canBringForcesDown())) pause_ *= 2;
     isPausing_ = isFailing;
     endOfTerm_ = sweeps + (isFailing ? pause_ : strategy_.slowness.probation);
     bestBefore_ = best_;

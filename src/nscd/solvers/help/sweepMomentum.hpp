@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// Momentum for Gauss-Seidel sweeps: what shortens cold solves, in which weight has many layers to come down through, and flows.
+// Momentum for Gauss-Seidel sweeps: what shortens flows, and solves in which weight has many layers to come down through.
 #pragma once
 
 #include "nscd/solvers/problem/stopRule.hpp"

@@ -34,19 +34,18 @@ public:
     bool judge(const SolveReport& report, const DefectSums& left)
     {
         if (met_ < 0) met_ = report.sweeps;
-        const double sought = report.sweeps < 2*met_ + settings_.polishSweeps ? asked_.polishedForce : asked_.forceLimit;
-        now_.areForcesOff = now_.areForcesOff || report.forceError > asked_.forceLimit;
-        if (report.forceError <= sought) return true;
-        now_.tighten(left, report.forceError/sought);
+        now_.wereForcesOff = now_.wereForcesOff || report.forceError > asked_.forceLimit;
+        if (report.forceError <= sought(report.sweeps)) return true;
+        now_.tighten(left, report.forceError/sought(report.sweeps));
         return false;
     }
 
-    /// Where forces were off, whether their limit is met by now, though the finer velocities are not: looked at now and then.
+    /// Where forces were off, whether what is sought of them is met by now, though the finer velocities are not: looked at now and then.
     bool areForcesMet(int sweeps, ContactProblem& problem) const
     {
-        if (!now_.areForcesOff || problem.areForcesBounded() || sweeps % settings_.strategy.forces.sweepsBetween != 0) return false;
+        if (!now_.wereForcesOff || problem.areForcesBounded() || sweeps % settings_.strategy.forces.sweepsBetween != 0) return false;
         const DefectSums left = residual(problem);
-        return asked_.isMet(left) && forceErrorNow(asked_, problem, left) <= asked_.forceLimit;
+        return asked_.isMet(left) && forceErrorNow(asked_, problem, left) <= sought(sweeps);
     }
 
     /// In a flow, or under walls that drive, whether forces have had the sweeps that they are worth, and velocities are met.
@@ -56,6 +55,8 @@ public:
     }
 
 private:
+    double sought(int sweeps) const { return sweeps < 2*met_ + settings_.polishSweeps ? asked_.polishedForce : asked_.forceLimit; }
+
     StopRule asked_, now_;
     const ContactSettings& settings_;
     int met_ = -1;   ///< sweeps after which the velocities asked for were met

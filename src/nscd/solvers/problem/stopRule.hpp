@@ -32,7 +32,7 @@ struct StopRule
     double polishedMax;
     double forceLimit;   ///< [-]
     double polishedForce;
-    bool areForcesOff = false;   ///< as a solution that met the velocities told: beyond their limit, weight has not come down
+    bool wereForcesOff = false;   ///< beyond their limit when a solution met the velocities: weight had not come down
 
     bool isMet(const DefectSums& sums) const { return isWithin(sums, rmsLimit, maxLimit); }
     bool isPolished(const DefectSums& sums) const { return isWithin(sums, polishedRms, polishedMax); }

@@ -39,6 +39,24 @@ inline Scene heap(int dimensions, int perSide, int layers, double radius, double
     return scene;
 }
 
+/// A lattice with periodic sides, so many spheres a side and layer, of 2.5 mm.
+inline Scene looseBed(int perSide, int layers)
+{
+    constexpr double fine = 1.25e-3, spacing = 2.2*fine, shake = 0.09*fine;   // it falls by a tenth of its height
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    Scene scene(3, 0.3, 0.0);
+    scene.box.length = Vec3(perSide*spacing, perSide*spacing, 0);
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    for (int k = 0; k < layers; ++k)
+    for (int j = 0; j < perSide; ++j)
+    for (int i = 0; i < perSide; ++i)
+    {
+        scene.addGrain(spacing*Vec3(i + 0.5, j + 0.5, k + 0.5) + shake*Vec3(unit(random), unit(random), unit(random)), fine);
+    }
+    return scene;
+}
+
 /// One step in a viscous medium of so much drag [1/s]: nothing else stops a grain that rolls, or spins on its contact.
 inline nscd::StepReport stepDamped(nscd::GrainDynamics& dynamics, const Vec3& g, double deltaT, double rate = 30.0)
 {

@@ -131,16 +131,12 @@ TEST(ListPlan, aListLastsWhileGrainsFallFarInAStep)
 
 TEST(ListPlan, aBedAtRestHasAShortListInStepsInWhichAGrainFallsFar)
 {
-    constexpr double small = 0.6e-3, pitch = 2.2*small, longStep = 27e-3;   // g dt^2 = 6 d
-    Scene scene(3, 0.3, 0.0);
-    scene.box.length = Vec3(7*pitch, 7*pitch, 0);
-    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> unit(-0.2*small, 0.2*small);
-    for (int n = 0; n < 350; ++n) scene.addGrain(pitch*Vec3(n % 7 + 0.5, n/7 % 7 + 0.5, n/49 + 0.5) + Vec3(unit(random), unit(random), unit(random)), small);
+    constexpr double longStep = 27e-3;   // g dt^2 = 3 d
+    Scene scene = looseBed(7, 7);
+    const double small = scene.grains.radius[0];
+    scene.addGrain(Vec3(7*small, 7*small, 2000*small), small);   // still above the bed at the end
     nscd::ContactSettings settings;
     settings.sleep = false;   // what is asleep is in no list
-    scene.addGrain(Vec3(3*pitch, 3*pitch, 2000*small), small);   // still above the bed at the end
     auto dynamics = scene.build(settings);
     for (int k = 0; k < 600; ++k) stepDamped(dynamics, scene.g, deltaT);
     const double most = 20.0*scene.grains.size();

@@ -61,15 +61,15 @@ TEST(ForceRule, seeksPolishedForcesForSomeSweepsThenTheLimit)
 {
     nscd::ForceRule rule = makeRule();
     EXPECT_FALSE(judge(rule, 10, 0.5*limit));
-    EXPECT_FALSE(rule.now().areForcesOff);
+    EXPECT_FALSE(rule.now().wereForcesOff);
     EXPECT_LT(rule.now().rmsLimit, rule.asked().rmsLimit);
     EXPECT_FALSE(judge(rule, 2*10 + settings.polishSweeps - 1, 0.5*limit));
     EXPECT_TRUE(judge(rule, 2*10 + settings.polishSweeps, 0.5*limit));
     EXPECT_FALSE(judge(rule, 500, 1.1*limit));
-    EXPECT_TRUE(rule.now().areForcesOff);
+    EXPECT_TRUE(rule.now().wereForcesOff);
     nscd::ForceRule soon = makeRule();
     EXPECT_TRUE(judge(soon, 10, 0.5*polished));
-    EXPECT_FALSE(soon.now().areForcesOff);
+    EXPECT_FALSE(soon.now().wereForcesOff);
 }
 
 TEST(ForceRule, forcesThatWereOffAreLookedAtWhereGrainsHardlyMove)
@@ -86,6 +86,18 @@ TEST(ForceRule, forcesThatWereOffAreLookedAtWhereGrainsHardlyMove)
         EXPECT_FALSE(rule.areForcesMet(due + 1, resting));
         EXPECT_FALSE(rule.areForcesMet(due, flowing));
     }
+}
+
+TEST(ForceRule, whatIsLookedAtIsToBePolishedForSomeSweeps)
+{
+    FallingAsOne column;
+    nscd::ContactProblem resting = column.problem(0.0);
+    const int met = 100;
+    nscd::ForceRule rule = makeRule(1.1*FallingAsOne::missing);
+    judge(rule, met, 2.0);
+    ASSERT_LT(2*met + settings.polishSweeps, 3*met);
+    EXPECT_FALSE(rule.areForcesMet(2*met, resting));
+    EXPECT_TRUE(rule.areForcesMet(3*met, resting));
 }
 
 TEST(ForceRule, aFlowGivesForcesUp)
