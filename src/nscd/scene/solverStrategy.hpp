@@ -68,6 +68,7 @@ struct SolverStrategy
         double growthAllowed = 4.0;    ///< of the sum of squared defects [-]: a help after which it grows by more is taken back
         int probation = 60;            ///< sweeps in which the sum of squared defects must fall below `leastProgress`
         double leastProgress = 0.9;    ///< of what it was [-], else the help pauses: high friction can trap it
+        double slowShock = 0.3;        ///< of what it was in `probation` sweeps [-]: above, forces of a shock that are off are brought down as weight is
         int pause = 30;                ///< sweeps, twice as many each time but where weight comes down: there the rms is no sign of failure
     } slowness;
 

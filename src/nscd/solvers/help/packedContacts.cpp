@@ -117,6 +117,7 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
     };
     packed.motion = whole.motion;
     packed.isDriven = whole.isDriven;
+    packed.isShock = whole.isShock;
     packed.massRatio = whole.massRatio;
     packed.areFilms = whole.areFilms;
     packed.lawBlocks = whole.lawBlocks ? &ofLaw_ : nullptr;

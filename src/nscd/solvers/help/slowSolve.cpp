@@ -58,13 +58,13 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
         const int sweepsToWait = isFalling_ ? strategy_.slowness.coldPatience : isFlowing() ? strategy_.slowness.flowPatience : strategy_.slowness.patience;
         if (sweeps % sweepsToWait == 0 && isSlow(sweepsToWait, sums))
         {
-            isFalling_ = isFalling_ || areForcesOff(rule);
+            isFalling_ = isFalling_ || (canBringForcesDown() && areForcesOff(rule));
             if (hasHelp()) start(sweeps);
         }
         return isLocal(sweeps, sums, rule) && !hasHelp() ? solveLocally(sweeps, rule) : 0;
     }
     best_ = std::min(best_, sums.sumSquares);
-    if (sweeps >= endOfTerm_) judgeTerm(sweeps);
+    if (sweeps >= endOfTerm_) judgeTerm(sweeps, rule);
     if (isPausing_) return isLocal(sweeps, sums, rule) ? solveLocally(sweeps, rule) : 0;
     ++sinceMixing_;
     if (isMixed_ && sinceMixing_ == 1 && sums.sumSquares > strategy_.slowness.growthAllowed*squaresBefore_)
@@ -94,9 +94,12 @@ bool SlowSolve::isSlow(int sweepsBetween, const DefectSums& sums)
 /// By momentum, where mixing is used otherwise: that hardly moves what is off in a bed as a whole.
 bool SlowSolve::canBringForcesDown() const { return strategy_.momentum.isOn && !problem_.areForcesBounded(); }
 
-bool SlowSolve::areForcesOff(const StopRule& rule) const
+bool SlowSolve::areForcesOff(const StopRule& rule) const { return forceErrorNow(rule, problem_, residual(problem_)) > rule.forceLimit; }
+
+/// What is left of a shock that has come near its solution and crawls on is off in all of a bed.
+bool SlowSolve::isShockOfABed(const StopRule& rule) const
 {
-    return canBringForcesDown() && forceErrorNow(rule, problem_, residual(problem_)) > rule.forceLimit;
+    return problem_.isShock && momentum_ && !isFalling_ && best_ > strategy_.slowness.slowShock*bestBefore_ && areForcesOff(rule);
 }
 
 void SlowSolve::start(int sweeps)
@@ -158,8 +161,14 @@ void SlowSolve::restart()
     isMixed_ = false;
 }
 
-void SlowSolve::judgeTerm(int sweeps)
+void SlowSolve::judgeTerm(int sweeps, const StopRule& rule)
 {
+    if (isShockOfABed(rule))
+    {
+        isFalling_ = true;
+        momentum_.reset();
+        return start(sweeps);
+    }
     const bool isFailing = !isPausing_ && best_ > strategy_.slowness.leastProgress*bestBefore_;
     if (isPausing_) restart();
     if (isFailing && !(isFalling_ && canBringForcesDown())) pause_ *= 2;

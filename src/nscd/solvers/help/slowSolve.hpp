@@ -48,11 +48,12 @@ private:
     void start(int sweeps);
     bool canBringForcesDown() const;
     bool areForcesOff(const StopRule& rule) const;
+    bool isShockOfABed(const StopRule& rule) const;
     bool isFlowing() const;
     bool hasHelp() const;
     void makeMixing();
     void restart();
-    void judgeTerm(int sweeps);
+    void judgeTerm(int sweeps, const StopRule& rule);
     void mix(const DefectSums& sums, const StopRule& rule);
     void revert();
     bool isMixingDue(const DefectSums& sums, const StopRule& rule) const;

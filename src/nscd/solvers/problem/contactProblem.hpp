@@ -71,6 +71,8 @@ struct ContactProblem
     ContactsLeftOut* leftOut = nullptr;
     /// Nobody asks blocks that are not awake whether they should carry an impulse: the law lets none of them.
     bool isAllAwake = false;
+    /// Whether velocities after the impacts of a step are sought, which go through all of a bed that has landed.
+    bool isShock = false;
     /// Where looks at residuals are timed; null: within what is timed around them.
     StepTimes* times = nullptr;
 
