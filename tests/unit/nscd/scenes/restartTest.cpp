@@ -59,14 +59,16 @@ TEST(Restart, aBedAtRestStaysAtRest)
     settings.sleep = false;   // a restart wakes all
     auto uninterrupted = scene.build(settings);
     auto stopped = scene.build(settings);
-    for (int k = 0; k < 1300; ++k)
+    // With more drag a grain that rocks is only kept from getting to the bottom of its hollow.
+    for (int k = 0; k < 3300; ++k)
     {
         for (nscd::GrainDynamics* dynamics : {&uninterrupted, &stopped})
         {
-            if (k > 300 && k < 1200) stepDamped(*dynamics, scene.g, deltaT);
+            if (k > 300 && k < 3200) stepDamped(*dynamics, scene.g, deltaT, 10.0);
             else step(*dynamics, scene.g, deltaT);
         }
     }
+    for (const Vec3& v : uninterrupted.grains().velocity) ASSERT_LT(v.norm(), 1e-6*gravity*deltaT);
     const Stored stored(stopped);
     auto with = at(stored, scene).build(settings);
     auto without = at(stored, scene).build(settings);
