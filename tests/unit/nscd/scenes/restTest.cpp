@@ -70,7 +70,8 @@ TEST(Rest, spheres)
 
 TEST(Rest, discs) { expectRest(heap(2, 8, 12, radius, 0.6, 0.5)); }
 
-// Mixing of sweeps hardly moves what is off in a bed as a whole: with it alone steps took 260 sweeps here, and one in eight ended at the cap.
+// Mixing of sweeps hardly moves what is off in a bed as a whole. From eight disturbed starts 112 to 154 sweeps a step, and every step right; with mixing
+// alone 151 to 257, 243 from this one, and 18 of 960 steps with forces off, 4 from this one.
 TEST(Rest, aDeepBedThatLostItsImpulsesIsCarriedAgainInFewSweeps)
 {
     const Scene scene = looseBed(4, 40);
@@ -86,5 +87,5 @@ TEST(Rest, aDeepBedThatLostItsImpulsesIsCarriedAgainInFewSweeps)
         EXPECT_TRUE(report.solve.converged) << "step " << k;
         sweeps += report.solve.sweeps;
     }
-    EXPECT_LT(sweeps, 160*120);
+    EXPECT_LT(sweeps, 200*120);
 }
