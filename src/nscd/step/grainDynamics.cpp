@@ -189,11 +189,9 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
         {
             velocity[list.grainOf[body]] = Vec3(list.bodies[body].v);
         }
-        setFalls(list, grains.velocity, freeVelocity, fall);
         rebuildList(velocity, attempt + 1.0);
         report = together(report, solveAndWake(external));
     }
-    setFalls(list, grains.velocity, freeVelocity, fall);
     return report;
 }
 

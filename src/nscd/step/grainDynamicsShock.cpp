@@ -30,7 +30,7 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
 
     ContactProblem problem = makeProblem(external.speedScale);
     problem.times = nullptr;   // all of it is the rebound
-    problem.isAllAwake = problem.isShock = true;
+    problem.isShock = true;
     gatherImpulses(list.blocks, {inelastic.blocks.data(), inelastic.blocks.size()}, inelastic.impulses);
     inelastic.ofLaws.clear();
     for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) inelastic.ofLaws.push_back(list.laws.impulses(slot));

@@ -66,6 +66,7 @@ SolveReport GrainDynamics::Implementation::solveAndWake(const ExternalForces& ex
         wakeWithinSolve(awakePart.sleepersAround(disturbed, std::max(0, round - withoutRings), sleep, deadBand()));
         report = together(report, solveOnce(external, settings));
     }
+    setFalls(list, grains.velocity, freeVelocity, fall);
     return report;
 }
 

@@ -47,8 +47,7 @@ int SlowSolve::afterSweep(int sweeps, const DefectSums& sums, const StopRule& ru
     }
     if (rule.wereForcesOff && !isFalling_ && sweeps > strategy_.slowness.flowPatience && canBringForcesDown())
     {
-        isFalling_ = true;
-        start(sweeps);
+        bringForcesDown(sweeps);
         return 0;
     }
     if (!anderson_ && !momentum_)
@@ -111,6 +110,15 @@ void SlowSolve::start(int sweeps)
     makeMixing();
 }
 
+/// Whatever helped so far.
+void SlowSolve::bringForcesDown(int sweeps)
+{
+    isFalling_ = true;
+    anderson_.reset();
+    momentum_.reset();
+    start(sweeps);
+}
+
 bool SlowSolve::hasHelp() const { return isFalling_ || isFlowing() ? strategy_.momentum.isOn : strategy_.mixing.isOn; }
 
 bool SlowSolve::isFlowing() const { return problem_.isFlowing() && !problem_.general; }
@@ -120,7 +128,6 @@ void SlowSolve::makeMixing()
     if (isFalling_ || isFlowing())
     {
         const auto kind = isFalling_ ? SweepMomentum::Kind::falling : SweepMomentum::Kind::flowing;
-        anderson_.reset();
         if (!momentum_) momentum_ = std::make_unique<SweepMomentum>(problem_, kind, strategy_.momentum);
     }
     else
@@ -163,12 +170,7 @@ void SlowSolve::restart()
 
 void SlowSolve::judgeTerm(int sweeps, const StopRule& rule)
 {
-    if (isShockOfABed(rule))
-    {
-        isFalling_ = true;
-        momentum_.reset();
-        return start(sweeps);
-    }
+    if (isShockOfABed(rule)) return bringForcesDown(sweeps);
     const bool isFailing = !isPausing_ && best_ > strategy_.slowness.leastProgress*bestBefore_;
     if (isPausing_) restart();
     if (isFailing && !(isFalling_ && canBringForcesDown())) pause_ *= 2;

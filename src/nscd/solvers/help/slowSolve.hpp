@@ -47,6 +47,7 @@ private:
     bool isSlow(int sweepsBetween, const DefectSums& sums);
     void start(int sweeps);
     bool canBringForcesDown() const;
+    void bringForcesDown(int sweeps);
     bool areForcesOff(const StopRule& rule) const;
     bool isShockOfABed(const StopRule& rule) const;
     bool isFlowing() const;

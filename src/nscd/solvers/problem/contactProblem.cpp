@@ -186,7 +186,7 @@ DefectSums residual(ContactProblem& problem)
 {
     const StepTimes::Timer timer(problem.times, GrainPart::judgeContacts);
     problem.giveVelocities();
-    DefectSums here = evaluateBlocks(problem, problem.isAllAwake && !problem.general ? problem.active() : problem.all());
+    DefectSums here = evaluateBlocks(problem, problem.isAllAwake() && !problem.general ? problem.active() : problem.all());
     if (problem.general) add(here, evaluateGeneralBlocks(problem));
     if (problem.leftOut) add(here, problem.leftOut->defects(problem));
     if (!problem.halo.isParallel()) return here;
@@ -197,7 +197,7 @@ DefectSums residual(ContactProblem& problem)
 
 bool wakeBlocks(ContactProblem& problem)
 {
-    if (problem.isAllAwake) return false;
+    if (problem.isAllAwake()) return false;
     const StepTimes::Timer timer(problem.times, GrainPart::judgeContacts);
     if (problem.leftOut) return problem.leftOut->wake(problem);
     const std::size_t before = problem.awake.size();

@@ -69,8 +69,6 @@ struct ContactProblem
     PackedContacts* packing = nullptr;
     /// In a packed problem what holds the contacts that are not in it; null: all are.
     ContactsLeftOut* leftOut = nullptr;
-    /// Nobody asks blocks that are not awake whether they should carry an impulse: the law lets none of them.
-    bool isAllAwake = false;
     /// Whether velocities after the impacts of a step are sought, which go through all of a bed that has landed.
     bool isShock = false;
     /// Where looks at residuals are timed; null: within what is timed around them.
@@ -80,6 +78,8 @@ struct ContactProblem
     /// and a plate that presses on it), also where most grains rest.
     bool isDriven = false;
 
+    /// Whether nobody asks blocks that are not awake if they should carry an impulse: the law of a shock lets none of them.
+    bool isAllAwake() const { return isShock && !leftOut; }
     /// Whether most grains move: what a solve leaves is then soon forgotten, where in a bed that comes to rest it decides on how.
     bool isFlowing() const { return motion >= 0.5; }
     /// Whether only so many sweeps are spent on forces: see SolverStrategy::Forces.

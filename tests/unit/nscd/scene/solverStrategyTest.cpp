@@ -73,11 +73,7 @@ bool matters(const Change& change)
 /// Steps at the cap of a bed 60 layers deep that lands and rebounds.
 int atCapWhileADeepBedRebounds(double slowShock)
 {
-    const Scene bed = looseBed(3, 60);
-    Scene scene(3, 0.3, 0.9);
-    scene.grains = bed.grains;
-    scene.box = bed.box;
-    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    const Scene scene = looseBed(3, 60, 0.9);
     nscd::ContactSettings settings;
     settings.sleep = false;
     settings.strategy.slowness.slowShock = slowShock;

@@ -40,12 +40,12 @@ inline Scene heap(int dimensions, int perSide, int layers, double radius, double
 }
 
 /// A lattice with periodic sides, so many spheres a side and layer, of 2.5 mm.
-inline Scene looseBed(int perSide, int layers)
+inline Scene looseBed(int perSide, int layers, double restitution = 0.0)
 {
     constexpr double fine = 1.25e-3, spacing = 2.2*fine, shake = 0.09*fine;   // it falls by a tenth of its height
     std::mt19937 random(1);
     std::uniform_real_distribution<double> unit(-1, 1);
-    Scene scene(3, 0.3, 0.0);
+    Scene scene(3, 0.3, restitution);
     scene.box.length = Vec3(perSide*spacing, perSide*spacing, 0);
     scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
     for (int k = 0; k < layers; ++k)
