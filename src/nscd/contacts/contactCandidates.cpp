@@ -28,21 +28,6 @@ std::size_t mostPairs(std::size_t bodies) { return std::max<std::size_t>(1000000
 /// lower one where the sum of the two is even, so that each rank gets about half of its neighbors.
 bool isSolvedHere(int here, int other) { return ((here + other) % 2 == 0) == (here < other); }
 
-/// A place in the box, and those where a body that may move by `reach` comes in again across a periodic side.
-std::vector<Vec3> placesOf(const Vec3& x, double reach, const PeriodicBox& box)
-{
-    std::vector<Vec3> places = {x};
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        if (!box.isPeriodic(axis)) continue;
-        const double shift = x[axis] - reach < box.lower[axis] ? box.length[axis]
-                           : x[axis] + reach >= box.lower[axis] + box.length[axis] ? -box.length[axis] : 0.0;
-        if (shift == 0.0) continue;
-        for (std::size_t k = 0, before = places.size(); k < before; ++k) places.push_back(places[k] + shift*Vec3::Unit(axis));
-    }
-    return places;
-}
-
 /// Walls near each body, as candidates that follow the body's pairs.
 std::vector<Candidate> findWalls
 (
@@ -88,22 +73,19 @@ struct SearchSpheres
 /// bodies without a path, whose slack and range are their reach.
 SearchSpheres spheresOnPaths(const ContactList& list, const std::vector<double>& reach, const PeriodicBox& box, double range)
 {
-    Vec3 mean = Vec3::Zero();
-    for (const Vec3& path : list.path) mean += path;
-    mean /= std::max<double>(1.0, static_cast<double>(list.path.size()));
     SearchSpheres spheres;
     const bool isPeriodic = box.isPeriodic(0) || box.isPeriodic(1) || box.isPeriodic(2);
     for (int body = 0; body < list.owned(); ++body)
     {
         const Vec3 middle = list.position[body] + 0.5*list.path[body];
         spheres.center.push_back(box.wrap(middle));
-        spheres.size.push_back(list.radius[body] + range + list.slack[body] + 0.5*(list.path[body] - mean).norm());
+        spheres.size.push_back(list.radius[body] + range + list.slack[body] + 0.5*(list.path[body] - list.meanPath).norm());
         if (isPeriodic) spheres.shift.push_back(spheres.center.back() - middle);
     }
     for (std::size_t ghost = list.owned(); ghost < reach.size(); ++ghost)
     {
         spheres.center.push_back(list.position[ghost]);
-        spheres.size.push_back(list.radius[ghost] + reach[ghost] + 0.5*mean.norm());
+        spheres.size.push_back(list.radius[ghost] + reach[ghost] + 0.5*list.meanPath.norm());
         if (isPeriodic) spheres.shift.push_back(Vec3::Zero());
     }
     return spheres;
@@ -129,19 +111,33 @@ std::array<signed char, 3> imageOfBodies(const SearchSpheres& spheres, const Bod
     return image;
 }
 
-/// Whether two own bodies may touch on their ways, or attract each other within `range` each.
-bool mayMeet(const ContactList& list, const Candidate& pair, const PeriodicBox& box, double range)
+} // namespace
+
+std::vector<Vec3> placesOf(const Vec3& x, double reach, const PeriodicBox& box)
 {
-    Vec3 x = list.position[pair.a] - list.position[pair.b];
+    std::vector<Vec3> places = {x};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (!box.isPeriodic(axis)) continue;
+        const double shift = x[axis] - reach < box.lower[axis] ? box.length[axis]
+                           : x[axis] + reach >= box.lower[axis] + box.length[axis] ? -box.length[axis] : 0.0;
+        if (shift == 0.0) continue;
+        for (std::size_t k = 0, before = places.size(); k < before; ++k) places.push_back(places[k] + shift*Vec3::Unit(axis));
+    }
+    return places;
+}
+
+bool mayMeet(const ContactList& list, const Candidate& pair, const PeriodicBox& box, double range, double from)
+{
+    Vec3 x = list.positionAtBuild[pair.a] - list.positionAtBuild[pair.b];
     for (int axis = 0; axis < 3; ++axis) x[axis] -= pair.image[axis]*box.length[axis];
-    const Vec3 way = list.path[pair.a] - list.path[pair.b];
+    Vec3 way = Vec3::Zero();
+    if (!list.path.empty()) way = list.path[pair.a] - list.path[pair.b];
     const double approach = -x.dot(way), way2 = way.squaredNorm();
-    const double share = approach <= 0.0 ? 0.0 : approach >= way2 ? 1.0 : approach/way2;
+    const double share = approach <= from*way2 ? from : approach >= way2 ? 1.0 : approach/way2;
     const double near = list.radius[pair.a] + list.radius[pair.b] + list.slack[pair.a] + list.slack[pair.b] + 2.0*range;
     return (x + share*way).squaredNorm() < near*near;
 }
-
-} // namespace
 
 Candidates findCandidates
 (
@@ -166,7 +162,7 @@ Candidates findCandidates
         const Candidate candidate{pair.a, pair.b, -1, imageOfBodies(spheres, pair, scene.box)};
         if (pair.b < list.owned())
         {
-            if (!arePathsKnown || mayMeet(list, candidate, scene.box, range)) found.inner.push_back(candidate);
+            if (!arePathsKnown || mayMeet(list, candidate, scene.box, range, 0.0)) found.inner.push_back(candidate);
         }
         else if (isSolvedHere(rank, ghosts[pair.b - list.owned()].owner)) found.interface.push_back(candidate);
     }

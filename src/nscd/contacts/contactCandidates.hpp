@@ -20,6 +20,12 @@ struct Candidates
     std::vector<Candidate> interface;
 };
 
+/// A place in the box, and those where a body that may move by `reach` comes in again across a periodic side.
+std::vector<Vec3> placesOf(const Vec3& x, double reach, const PeriodicBox& box);
+
+/// Whether two own bodies may touch on their paths, or attract each other within `range` each, once they have gone a share `from` of these.
+bool mayMeet(const ContactList& list, const Candidate& pair, const PeriodicBox& box, double range, double from);
+
 /// The list's position, radius and `reach` are those of own bodies and of ghosts; walls have `b` = -1. The list's search is used.
 /// Where paths are expected, pairs with ghosts go by reach all the same. `reachToMany`: of ExpectedMotion.
 /// Cost: linear in the number of bodies for any size distribution (one grid per octave of radius + reach).

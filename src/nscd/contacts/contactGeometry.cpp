@@ -69,7 +69,7 @@ bool isOfPairs(const ContactList& list, std::size_t k)
 }
 
 /// Normals and gaps of the pairs of a block, all lanes at once.
-void updatePairs(ContactList& list, const Scene& scene, const std::vector<BodySphere>& spheres, std::size_t k)
+void updateBlock(ContactList& list, const Scene& scene, const std::vector<BodySphere>& spheres, std::size_t k)
 {
     ContactBlock& block = list.blocks[k];
     Lanes x[3], radii;
@@ -133,10 +133,15 @@ void updateWall(ContactList& list, const Scene& scene, std::size_t slot, int a)
 
 } // namespace
 
-void updateGeometry(ContactList& list, const Scene& scene)
+void updatePairs(ContactList& list, const Scene& scene, std::size_t first)
 {
     const std::vector<BodySphere> spheres = gatherSpheres(list);
-    for (std::size_t k = 0; k < list.blocks.size(); ++k) updatePairs(list, scene, spheres, k);
+    for (std::size_t k = first; k < list.blocks.size(); ++k) updateBlock(list, scene, spheres, k);
+}
+
+void updateGeometry(ContactList& list, const Scene& scene)
+{
+    updatePairs(list, scene, 0);
     for (std::size_t slot : list.slotsOfWalls) updateWall(list, scene, slot, list.blocks[slot/blockLanes].a[slot % blockLanes]);
     suppressGhosts(list, scene);
 }

@@ -84,7 +84,9 @@ void setPaths(ContactList& list, const ExpectedMotion& expected)
     {
         list.path.push_back(expected.time*expected.velocity[list.grainOf[body]]);
         list.slack[body] -= list.path[body].norm();
+        list.meanPath += list.path[body];
     }
+    list.meanPath /= std::max(1, list.owned());
 }
 
 std::vector<double> addGhosts(ContactList& list, const std::vector<GhostGrain>& ghosts)

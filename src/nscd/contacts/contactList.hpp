@@ -38,6 +38,8 @@ struct ContactList
     std::vector<double> reach;              ///< distance a body may travel from positionAtBuild before the list is stale [m]
     std::vector<Vec3> path;                 ///< displacement expected of each within pathTime [m]; empty: none is expected
     std::vector<double> slack;              ///< how far it may be from where its path expects it: reach less path [m]
+    std::vector<int> strays;                ///< bodies that went otherwise, and have had another path since; see strays.hpp
+    Vec3 meanPath = Vec3::Zero();           ///< of `path`, when the list was built [m]
     double pathTime = 0.0;                  ///< [s]
     double age = 0.0;                       ///< time that bodies have moved since the list was built [s]
 

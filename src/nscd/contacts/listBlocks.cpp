@@ -12,6 +12,9 @@ namespace nscd
 namespace
 {
 
+/// Room for blocks that are appended later: a share of all, and some.
+constexpr std::size_t shareOfStrays = 64, fewestOfStrays = 16;
+
 const ContactPair& coefficients(const std::vector<int>& material, const Scene& scene, const Candidate& candidate)
 {
     const int materialB = candidate.wall >= 0
@@ -43,8 +46,9 @@ std::vector<int> materialOfBodies(const ContactList& list, const Scene& scene)
     return material;
 }
 
-void reserveBlocks(ContactList& list, const Scene& scene, std::size_t blocks)
+void reserveBlocks(ContactList& list, const Scene& scene, std::size_t needed)
 {
+    const std::size_t blocks = needed + needed/shareOfStrays + fewestOfStrays;
     makeRoom(list.blocks, blocks);
     makeRoom(list.gap, blocks*blockLanes);
     makeRoom(list.wall, blocks*blockLanes);

@@ -4,6 +4,8 @@
 // Free velocities, warm start, forces and motion.
 #include "nscd/step/contactStep.hpp"
 
+#include "nscd/contacts/strays.hpp"
+
 #include "nscd/base/freeRotation.hpp"
 #include "nscd/base/invalidValue.hpp"
 #include "nscd/contacts/generalSlots.hpp"
@@ -175,15 +177,7 @@ void giveToGrains(const ContactForces& onBodies, const std::vector<int>& grainOf
 
 bool coversMotion(const ContactList& list, double deltaT, bool areWallsCovered)
 {
-    bool isCovered = areWallsCovered;
-    const double share = list.path.empty() ? 0.0 : std::min(1.0, (list.age + deltaT)/list.pathTime);
-    for (int body = 0; body < list.owned() && isCovered; ++body)
-    {
-        Vec3 travel = list.position[body] - list.positionAtBuild[body] + deltaT*Vec3(list.bodies[body].v);
-        if (share > 0.0) travel -= share*list.path[body];
-        isCovered = travel.squaredNorm() <= list.slack[body]*list.slack[body];
-    }
-    return !list.halo.any(!isCovered);
+    return !list.halo.any(!areWallsCovered || !findStrays(list, deltaT, 0).empty());
 }
 
 void copyVelocities(const ContactList& list, Grains& grains)

@@ -181,15 +181,21 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
 {
     SolveReport report = solveAndWake(external);
     // Grains that turn out faster than the list allows for could pass one another unseen: list and solve again.
-    for (int attempt = 0; !coversStep(); ++attempt)
+    int lists = 0, mended = 0;
+    for (Coverage coverage = coverStep(); coverage != Coverage::whole; coverage = coverStep())
     {
-        if (attempt == maxListRebuilds) throw std::runtime_error("contact list cannot follow the grains; use a smaller time step");
+        if (coverage == Coverage::mended && ++mended <= maxListRebuilds)
+        {
+            report = together(report, solveAndWake(external));
+            continue;
+        }
+        if (lists++ == maxListRebuilds) throw std::runtime_error("contact list cannot follow the grains; use a smaller time step");
         std::vector<Vec3> velocity = grains.velocity;   // of those that sleep, which are not in the list
         for (int body = 0; body < list.owned(); ++body)
         {
             velocity[list.grainOf[body]] = Vec3(list.bodies[body].v);
         }
-        rebuildList(velocity, attempt + 1.0);
+        rebuildList(velocity, lists);
         report = together(report, solveAndWake(external));
     }
     return report;
@@ -248,7 +254,7 @@ StepReport GrainDynamics::Implementation::restingReport() const
 void GrainDynamics::Implementation::beginAwakeStep(bool haveWallsJumped)
 {
     if (isListStale) measureGrains();
-    if (isListStale || !coversStep()) rebuildList(grains.velocity, 1.0);
+    if (isListStale || coverStep() == Coverage::none) rebuildList(grains.velocity, 1.0);
     else if (haveWallsJumped) placeContacts();
     if (isStepBegun) return;
     isStepBegun = true;

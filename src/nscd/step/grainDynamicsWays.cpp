@@ -7,6 +7,7 @@
 
 #include "nscd/base/formattedText.hpp"
 #include "nscd/base/invalidValue.hpp"
+#include "nscd/contacts/strays.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,9 @@ namespace
 constexpr double fastFlow = 0.5;
 /// A grain that falls is off its path by one dt a dt after a step, by 1 + 2 after two. What the skin holds of that lists need not allow for.
 constexpr double fallsOfTwoSteps = 3.0;
+/// Grains that may be followed before a list is built anew: a share of all, and some.
+constexpr double mostStrays = 0.03;
+constexpr std::size_t fewStrays = 8;
 /// Of impacts, up to which lists are made by paths: by speeds, a second list of a step of rain on a bed had 250 candidates a grain.
 constexpr double widestMargin = 2.0;
 
@@ -60,7 +64,7 @@ ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& veloci
     // Over many steps grains do not fly straight, nor where impacts were far from what was foreseen.
     if (margin <= widestMargin && !isListStale && stepsPerList == fewestStepsPerList)
     {
-        return planByPaths(list, velocity, diameter, deltaT, {fallsBeyondSkin(), margin, areListsLong});
+        return planByPaths(list, velocity, diameter, deltaT, {fallsBeyondSkin(), margin, areListsLong, mayFollowStrays()});
     }
     if (deltaT*mean.norm() <= fastFlow*diameter) return planBySpeeds(velocity, commonSpeed, time, margin);
     return planAroundMean(velocity, mean, std::sqrt(std::max(0.0, sums[0]/number - mean.squaredNorm())), time, margin);
@@ -72,6 +76,23 @@ std::vector<double> GrainDynamics::Implementation::fallsBeyondSkin() const
     const double held = skinOfGrain()/(fallsOfTwoSteps*deltaT), longer = impulseDeltaT > 0.0 ? deltaT/impulseDeltaT : 1.0;
     std::transform(fall.begin(), fall.end(), beyond.begin(), [=](double change) { return longer*change > held ? longer*change : 0.0; });
     return beyond;
+}
+
+bool GrainDynamics::Implementation::mayFollowStrays() const { return !exchange->isParallel() && !sleep.any() && grains.clumps.empty(); }
+
+GrainDynamics::Implementation::Coverage GrainDynamics::Implementation::coverStep()
+{
+    const auto timer = times.time(GrainPart::findPairs);
+    const bool isBeyondMending = !mayFollowStrays() || !movingWalls.areCovered(list) || !reachToMany.empty() || (isStepBegun && list.laws.areOfStart());
+    if (isBeyondMending) return coversStep() ? Coverage::whole : Coverage::none;
+    const std::size_t most = static_cast<std::size_t>(mostStrays*static_cast<double>(grains.size())) + fewStrays, blocks = list.blocks.size();
+    const std::vector<int> strays = findStrays(list, deltaT, most);
+    if (strays.empty()) return Coverage::whole;
+    if (strays.size() + list.strays.size() > most || !isWithinTime(list, deltaT)) return Coverage::none;
+    shockImpulses.clear();
+    if (!followStrays(list, strays, scene(), *wallSearch, deltaT)) return Coverage::none;
+    if (areWallsOutlined) isAnyFast = isAnyFast || areAnyFast(list, strays);
+    return doAnyTouch(list, scene(), blocks, deltaT) ? Coverage::mended : Coverage::whole;
 }
 
 WallsOfStep GrainDynamics::Implementation::wallsOfStep() const

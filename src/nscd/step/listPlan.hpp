@@ -22,6 +22,7 @@ struct OffPaths
     std::vector<double> fall;   ///< of each grain, what forces change its velocity by in a step [m/s]; empty: nothing
     double margin = 1.0;    ///< what impacts may be exceeded by [-]
     bool areListsLong = false;    ///< many candidates a grain so far: fewer then, for fewer steps and for impacts by the time that is left after them
+    bool areStraysFollowed = false;    ///< the few grains that go otherwise cost no list: what is allowed for may be less, and lasts for whole steps
 };
 
 /// For grains that go on as they do, and impacts that may throw them off their paths: from the candidates of the list so far.

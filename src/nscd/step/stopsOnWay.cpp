@@ -141,6 +141,12 @@ bool areAnyFast(const Grains& grains, const std::vector<double>& reach, const st
     return false;
 }
 
+bool areAnyFast(const ContactList& list, const std::vector<int>& bodies)
+{
+    const double ofWalls = largestReach(list.wallReach);
+    return std::any_of(bodies.begin(), bodies.end(), [&](int body) { return list.reach[body] + ofWalls > deepestInWalls*list.radius[body]; });
+}
+
 std::vector<double> reachesToMany(const Grains& grains, const WallSearch& search, const std::vector<double>& speed, double deltaT, double reachAtRest)
 {
     const std::vector<int> clumpOf = clumpOfGrains(grains);

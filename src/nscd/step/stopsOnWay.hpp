@@ -13,6 +13,8 @@ namespace nscd
 
 /// Whether any grain may go further than that share relative to walls before the list is stale; on this rank.
 bool areAnyFast(const Grains& grains, const std::vector<double>& reach, const std::vector<WallReach>& wallReach);
+/// The same, of some own bodies of a list.
+bool areAnyFast(const ContactList& list, const std::vector<int>& bodies);
 
 /// Of each grain: how far away walls of many regions are listed [m]. Grains whose speeds [m/s] take them further than that share in one step see only
 /// those nearby, so that a list does not grow with the triangles in their reach; others all in it (infinite). Empty: all grains see all.

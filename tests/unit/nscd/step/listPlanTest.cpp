@@ -87,6 +87,16 @@ TEST(ListPlan, slowGrainsHaveFourStepsFastOnesOneAndAHalf)
     EXPECT_DOUBLE_EQ(planOf(fiveGrains(100)).expected.time, 1.5*deltaT);
 }
 
+TEST(ListPlan, whereStraysAreFollowedListsAllowForLessAndLastForWholeSteps)
+{
+    const double speed = 5.0;
+    nscd::OffPaths off;
+    off.areStraysFollowed = true;
+    const nscd::ListPlan plan = planOf(fiveGrains(speed), off);
+    EXPECT_DOUBLE_EQ(plan.speed[0], speed + 0.8*2*speed);
+    EXPECT_DOUBLE_EQ(plan.expected.time, 2*deltaT);   // 1.6 without
+}
+
 TEST(ListPlan, withoutPathsEachIsAsFastAsAllMayBe)
 {
     const nscd::ListPlan plan = nscd::planBySpeeds({Vec3(3, 0, 4), Vec3(1, 0, 0)}, 2.0, 0.7, 1.0);
