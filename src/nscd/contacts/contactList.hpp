@@ -34,7 +34,7 @@ struct ContactList
 {
     // Per own body.
     std::vector<int> grainOf;
-    std::vector<Vec3> positionAtBuild;
+    std::vector<Vec3> positionAtBuild;      ///< of a stray, where its path would have begun then [m]
     std::vector<double> reach;              ///< distance a body may travel from positionAtBuild before the list is stale [m]
     std::vector<Vec3> path;                 ///< displacement expected of each within pathTime [m]; empty: none is expected
     std::vector<double> slack;              ///< how far it may be from where its path expects it: reach less path [m]
@@ -56,6 +56,7 @@ struct ContactList
 
     // Per slot.
     std::vector<ContactBlock> blocks;
+    std::size_t mostBlocks = 0;             ///< with those that are appended for strays
     std::size_t interfaceBlock = 0;         ///< from this block on contacts join grains of two ranks
     std::vector<double> gap;                ///< [m]
     std::vector<int> wall;                  ///< wall region, or -1 for a pair of grains

@@ -48,7 +48,7 @@ std::vector<int> materialOfBodies(const ContactList& list, const Scene& scene)
 
 void reserveBlocks(ContactList& list, const Scene& scene, std::size_t needed)
 {
-    const std::size_t blocks = needed + needed/shareOfStrays + fewestOfStrays;
+    const std::size_t blocks = list.mostBlocks = needed + needed/shareOfStrays + fewestOfStrays;
     makeRoom(list.blocks, blocks);
     makeRoom(list.gap, blocks*blockLanes);
     makeRoom(list.wall, blocks*blockLanes);

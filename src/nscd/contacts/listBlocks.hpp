@@ -15,8 +15,8 @@ namespace nscd
 /// Of own bodies, ghosts and copies.
 std::vector<int> materialOfBodies(const ContactList& list, const Scene& scene);
 
-/// Makes room for all blocks of an emptied list.
-void reserveBlocks(ContactList& list, const Scene& scene, std::size_t blocks);
+/// Makes room for the blocks of an emptied list, and for those that strays may need later.
+void reserveBlocks(ContactList& list, const Scene& scene, std::size_t needed);
 
 /// Appends blocks for `batches`, and writes the candidates into their slots; slotOf is shifted to where they are.
 void appendBlocks

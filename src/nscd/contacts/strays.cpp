@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -30,7 +31,7 @@ void turn(ContactList& list, int body, double deltaT)
     if (list.path.empty())
     {
         list.positionAtBuild[body] = list.position[body];
-        list.slack[body] = std::max(list.slack[body], std::max(deltaT, list.pathTime - list.age)*v.norm());
+        list.slack[body] = std::max(list.slack[body], (1.0 + 1e-9)*std::max(deltaT, list.pathTime - list.age)*v.norm());
         list.reach[body] = list.slack[body];
         return;
     }
@@ -55,6 +56,7 @@ Candidate ordered(int a, int b, std::array<signed char, 3> image)
 struct Listed
 {
     std::set<PairKey> pairs;
+    std::vector<std::size_t> slotsOfPairs;   ///< ascending
     std::set<std::pair<int, int>> walls;   ///< body and wall region
 };
 
@@ -67,7 +69,11 @@ Listed listedOf(const ContactList& list, const std::vector<char>& isAsked)
         const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
         if (!isAsked[a] && !isAsked[b]) continue;
         if (list.wall[slot] >= 0) listed.walls.insert({a, list.wall[slot]});
-        else listed.pairs.insert(keyOf(ordered(a, b, list.image[slot])));
+        else
+        {
+            listed.pairs.insert(keyOf(ordered(a, b, list.image[slot])));
+            listed.slotsOfPairs.push_back(slot);
+        }
     }
     return listed;
 }
@@ -91,14 +97,12 @@ Sphere restOfPath(const ContactList& list, int body, double range)
 bool areWallsListed(const ContactList& list, int body, double range, const Listed& listed, const Scene& scene, const WallSearch& wallSearch)
 {
     const Sphere sphere = restOfPath(list, body, range);
-    std::vector<double> patchReach;
-    for (const WallReach& wall : list.wallReach) patchReach.push_back(wall.distance);
     std::vector<int> regions;
-    for (const Vec3& place : placesOf(scene.box.wrap(sphere.center), sphere.size, scene.box)) wallSearch.find(place, sphere.size, regions, patchReach);
+    for (const Vec3& place : placesOf(scene.box.wrap(sphere.center), sphere.size, scene.box)) wallSearch.find(place, sphere.size, regions);
     return std::all_of(regions.begin(), regions.end(), [&](int region) { return listed.walls.count({body, region}) > 0; });
 }
 
-/// Collects pairs that may meet and are not listed.
+/// Collects pairs that may meet and are not listed, until there are more than the list has room for.
 class Lacking
 {
 public:
@@ -108,8 +112,11 @@ public:
         scene_(scene),
         listed_(listed),
         range_(rangeOfLaws(scene.materials)),
-        gone_(shareGone(list))
+        gone_(shareGone(list)),
+        mostFound_((list.mostBlocks - list.blocks.size())*blockLanes)
     {}
+
+    bool isTooMuch() const { return found.size() > mostFound_; }
 
     /// `image`: between the spheres around a and b, whose centers were moved into the box by these shifts.
     void add(int a, int b, std::array<signed char, 3> image, const Vec3& shiftA, const Vec3& shiftB)
@@ -130,6 +137,7 @@ private:
     const Scene& scene_;
     Listed& listed_;
     double range_, gone_;
+    std::size_t mostFound_;
 };
 
 /// Pairs of strays with bodies that go as expected, which the list's search holds as they were when it was built.
@@ -137,6 +145,7 @@ void addWithOthers(ContactList& list, const std::vector<int>& strays, const std:
 {
     for (int body : strays)
     {
+        if (lacking.isTooMuch()) return;
         const Sphere sphere = restOfPath(list, body, range);
         const Vec3 center = box.wrap(sphere.center);
         for (const BodyPair& pair : list.search.around(center, sphere.size + 0.5*list.meanPath.norm(), box))
@@ -161,11 +170,35 @@ void addAmongStrays(const ContactList& list, const std::vector<char>& isNew, con
         shift.push_back(center.back() - sphere.center);
         size.push_back(sphere.size);
     }
-    for (const BodyPair& pair : findPairs(center, size, box, 0.0))
+    PairSearch().findInPieces(center, size, box, 0.0, [&](const std::vector<BodyPair>& pairs)
     {
-        const int a = list.strays[pair.a], b = list.strays[pair.b];
-        if (isNew[a] || isNew[b]) lacking.add(a, b, pair.image, shift[pair.a], shift[pair.b]);
-    }
+        for (const BodyPair& pair : pairs)
+        {
+            const int a = list.strays[pair.a], b = list.strays[pair.b];
+            if (isNew[a] || isNew[b]) lacking.add(a, b, pair.image, shift[pair.a], shift[pair.b]);
+        }
+        return !lacking.isTooMuch();
+    });
+}
+
+/// Slots that were slow when the list was built may be fast now.
+void addFastPairs(ContactList& list, const std::vector<std::size_t>& slots)
+{
+    const auto before = static_cast<std::ptrdiff_t>(list.fastPairs.size());
+    std::set_difference(slots.begin(), slots.end(), list.fastPairs.begin(), list.fastPairs.end(), std::back_inserter(list.fastPairs));
+    std::inplace_merge(list.fastPairs.begin(), list.fastPairs.begin() + before, list.fastPairs.end());
+}
+
+/// Whether bodies go no further than a period in a step, as images beyond the nearest are not known.
+bool areWithinPeriods(const ContactList& list, const std::vector<int>& bodies, const PeriodicBox& box, double deltaT)
+{
+    return std::all_of(bodies.begin(), bodies.end(), [&](int body)
+    {
+        const Vec3 way = deltaT*Vec3(list.bodies[body].v);
+        bool isWithin = way.allFinite();
+        for (int axis = 0; axis < 3; ++axis) isWithin = isWithin && !(box.isPeriodic(axis) && std::abs(way[axis]) > box.length[axis]);
+        return isWithin;
+    });
 }
 
 bool append(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates)
@@ -174,9 +207,10 @@ bool append(ContactList& list, const Scene& scene, const std::vector<Candidate>&
     std::iota(order.begin(), order.end(), 0u);
     Batches batches = batchContacts(candidates, order, list.staticBody());
     const std::size_t first = list.blocks.size();
-    if (first + batches.blocks > list.blocks.capacity()) return false;
+    if (first + batches.blocks > list.mostBlocks) return false;
     appendBlocks(list, scene, materialOfBodies(list, scene), candidates, batches);
     list.interfaceBlock = list.blocks.size();
+    std::sort(batches.slotOf.begin(), batches.slotOf.end());
     list.fastPairs.insert(list.fastPairs.end(), batches.slotOf.begin(), batches.slotOf.end());
     if (!list.trialChange.empty()) list.trialChange.resize(list.slots(), Vec3::Zero());
     updatePairs(list, scene, first);
@@ -202,6 +236,7 @@ bool isWithinTime(const ContactList& list, double deltaT) { return list.path.emp
 
 bool followStrays(ContactList& list, const std::vector<int>& strays, const Scene& scene, const WallSearch& wallSearch, double deltaT)
 {
+    if (!areWithinPeriods(list, strays, scene.box, deltaT)) return false;
     const double range = rangeOfLaws(scene.materials);
     for (int body : strays) turn(list, body, deltaT);
     list.strays.insert(list.strays.end(), strays.begin(), strays.end());
@@ -219,6 +254,7 @@ bool followStrays(ContactList& list, const std::vector<int>& strays, const Scene
     Lacking lacking(list, scene, listed);
     addWithOthers(list, strays, isStray, scene.box, range, lacking);
     addAmongStrays(list, isNew, scene.box, range, lacking);
+    addFastPairs(list, listed.slotsOfPairs);
     return lacking.found.empty() || append(list, scene, lacking.found);
 }
 

@@ -4,11 +4,10 @@
 // Free velocities, warm start, forces and motion.
 #include "nscd/step/contactStep.hpp"
 
-#include "nscd/contacts/strays.hpp"
-
 #include "nscd/base/freeRotation.hpp"
 #include "nscd/base/invalidValue.hpp"
 #include "nscd/contacts/generalSlots.hpp"
+#include "nscd/contacts/strays.hpp"
 #include "nscd/contacts/wallForce.hpp"
 #include "nscd/kernels/blockPrefetch.hpp"
 #include "nscd/step/generalMotion.hpp"

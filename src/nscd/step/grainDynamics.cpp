@@ -180,7 +180,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
 SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces& external)
 {
     SolveReport report = solveAndWake(external);
-    // Grains that turn out faster than the list allows for could pass one another unseen: list and solve again.
+    // Grains that turn out faster than the list allows for could pass one another unseen: list what they may meet, and solve again.
     int lists = 0, mended = 0;
     for (Coverage coverage = coverStep(); coverage != Coverage::whole; coverage = coverStep())
     {

@@ -78,19 +78,21 @@ std::vector<double> GrainDynamics::Implementation::fallsBeyondSkin() const
     return beyond;
 }
 
-bool GrainDynamics::Implementation::mayFollowStrays() const { return !exchange->isParallel() && !sleep.any() && grains.clumps.empty(); }
+/// Whether other ranks, walls that move or laws need a list of what may come.
+bool GrainDynamics::Implementation::mayFollowStrays() const
+{
+    return !exchange->isParallel() && !sleep.any() && grains.clumps.empty() && list.wallReach.empty() && !list.laws.areOfStart();
+}
 
 GrainDynamics::Implementation::Coverage GrainDynamics::Implementation::coverStep()
 {
     const auto timer = times.time(GrainPart::findPairs);
-    const bool isBeyondMending = !mayFollowStrays() || !movingWalls.areCovered(list) || !reachToMany.empty() || (isStepBegun && list.laws.areOfStart());
-    if (isBeyondMending) return coversStep() ? Coverage::whole : Coverage::none;
+    if (!mayFollowStrays() || !reachToMany.empty()) return coversStep() ? Coverage::whole : Coverage::none;
     const std::size_t most = static_cast<std::size_t>(mostStrays*static_cast<double>(grains.size())) + fewStrays, blocks = list.blocks.size();
     const std::vector<int> strays = findStrays(list, deltaT, most);
     if (strays.empty()) return Coverage::whole;
-    if (strays.size() + list.strays.size() > most || !isWithinTime(list, deltaT)) return Coverage::none;
-    shockImpulses.clear();
-    if (!followStrays(list, strays, scene(), *wallSearch, deltaT)) return Coverage::none;
+    if (strays.size() > most || !isWithinTime(list, deltaT)) return Coverage::none;
+    if (!followStrays(list, strays, scene(), *wallSearch, deltaT) || list.strays.size() > most) return Coverage::none;
     if (areWallsOutlined) isAnyFast = isAnyFast || areAnyFast(list, strays);
     return doAnyTouch(list, scene(), blocks, deltaT) ? Coverage::mended : Coverage::whole;
 }
