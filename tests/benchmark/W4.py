@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """W4: 20 000 spheres of 2 mm with their centers in a plane flow out of 16 slots, 6 to 12 d wide, in the floor of a silo (A18; friction and
-restitution 0.3): error of the flow against the extrapolation of our two finest runs and against LIGGGHTS's stiffest one, and run time."""
+restitution 0.3): error of the flow against the extrapolation of our two finest runs and against LIGGGHTS's stiffest one, and run time; flows are
+means over the rounds, each of which settles from another lattice."""
 
 import json
 import math
@@ -14,7 +15,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent/"peers"))
 from plainRuns import installed, ours, soft
 from plainScene import Grain, PlainScene, Plane, softStep
-from results import BUILD, Table, pyplot, roundsOr, savePicture
+from results import BUILD, ROUNDS, Table, pyplot, savePicture
 
 D, SPREAD, WIDTH, LAYERS, SETTLING = 2e-3, 0.1, 576, 40, 0.2       # d: WIDTH of the silo
 SLOTS = 4*(6, 8, 10, 12)       # d
@@ -23,7 +24,9 @@ TIMES = [FROM + EVERY*k for k in range(BLOCKS + 1)]
 RUNS = ((2e-3, 1e-2), (1e-3, 1e-1), (5e-4, 1e-1), (2.5e-4, 1e-1), (1e-3, 1e-2), (5e-4, 1e-2), (2.5e-4, 1e-2))     # time step, tolerance; the two last
 # are extrapolated
 MODULI = (1e6, 1e7)
-COLUMNS = ["code", "knob", "deltaT", "seconds", "errorPercent", "errorToLiggghtsPercent", "flow", "standardError", "exponent", "steps", "overlapMax"]
+FIRST_SEED = 4     # of the lattices; each round has the next
+COLUMNS = ["code", "knob", "deltaT", "seconds", "errorPercent", "errorToLiggghtsPercent", "flow", "standardError", "exponent", "steps",
+           "overlapMax", "flowOfRound"]
 
 
 def centers():
@@ -44,11 +47,11 @@ def silo(grains, isOpen):
     return replace(scene, triangles=triangles)
 
 
-def settled():
+def settled(seed):
     """Grains that fell from a lattice; done once, and kept."""
-    kept = BUILD/"dry/W4.settled.json"
+    kept = BUILD/("dry/W4.settled.%d.json" % seed)
     if not kept.exists():
-        chance = random.Random(4)
+        chance = random.Random(seed)
         perRow = int(WIDTH/(1.05*(1 + SPREAD)))
         step = WIDTH*D/perRow
         lattice = [Grain((-0.5*WIDTH*D + step*(i + 0.5) + 0.02*D*chance.uniform(-1, 1), 0.0, 1.05*(1 + SPREAD)*D*(k + 0.6)), D/2*(1 + SPREAD*chance.uniform(-1, 1)))
@@ -98,24 +101,50 @@ def simulateSoft(peer, scene, modulus):
     return Run(peer, "E %.0e Pa" % modulus, deltaT, scene, times, soft(peer, "W4", scene, modulus, TIMES))
 
 
-def measure(table, peers):
-    scene = silo(settled(), True)
+def measure(peers, seed):
+    """Ours, and those of the peers, from one settled bed, in turn."""
+    scene = silo(settled(seed), True)
     mine, theirs = [], []
     for k in range(max(len(RUNS), len(MODULI))):
         mine += [simulate(scene, *run) for run in RUNS[k:k + 1]]
         theirs += [simulateSoft(peer, scene, modulus) for modulus in MODULI[k:k + 1] for peer in peers]
-    fine = 2*mine[-1].flow - mine[-2].flow
-    for run in mine + theirs:
-        toTheirs = 100*abs(run.flow/theirs[-1].flow - 1) if theirs else math.nan
-        table.add(run.code, run.knob, run.deltaT, run.figures["seconds"], 100*abs(run.flow/fine - 1), toTheirs, run.flow, run.standardError,
-                  run.exponent, int(run.figures["steps"]), run.figures.get("overlapMax", math.nan))
+    return mine + theirs
+
+
+def errors(rounds):
+    """In percent, of the mean flow of each run over the rounds: against ours, against theirs."""
+    flow = [statistics.mean(run.flow for run in runs) for runs in zip(*rounds)]
+    fine = 2*flow[len(RUNS) - 1] - flow[len(RUNS) - 2]
+    return [(100*abs(value/fine - 1), 100*abs(value/flow[-1] - 1) if len(flow) > len(RUNS) else math.nan) for value in flow]
+
+
+def meanOf(runs):
+    """Of one kind of run in all rounds: the mean flow, and the standard error of that, from the scatter between rounds or, of a single one, between
+    blocks of time."""
+    flow = [run.flow for run in runs]
+    return statistics.mean(flow), statistics.stdev(flow)/math.sqrt(len(flow)) if len(flow) > 1 else runs[0].standardError
+
+
+def tabulate(table, peers):
+    """All rounds first: what the errors are taken against is a mean of them."""
+    rounds = []
+    for number in range(ROUNDS):
+        rounds.append(measure(peers, FIRST_SEED + number))
+        print("round %d: flows %s" % (number + 1, " ".join("%.4g" % run.flow for run in rounds[-1])), flush=True)
+    ofMeans = errors(rounds)
+
+    def addRound(table):
+        for k, run in enumerate(rounds[len(table.rounds) - 1]):
+            table.add(run.code, run.knob, run.deltaT, run.figures["seconds"], *ofMeans[k], *meanOf([runs[k] for runs in rounds]), run.exponent, int(run.figures["steps"]),
+                      run.figures.get("overlapMax", math.nan), run.flow)
+    return table.inRounds(addRound, ROUNDS)
 
 
 def draw(table):
     figure, axis = pyplot.subplots(figsize=(7, 4.5))
     for code in dict.fromkeys(table.column("code")):
-        errors = table.column("standardError", code=code)
-        axis.errorbar(table.column("seconds", code=code), table.column("flow", code=code), errors, fmt="o", label=code)
+        bars = table.column("standardError", code=code)
+        axis.errorbar(table.column("seconds", code=code), table.column("flow", code=code), bars, fmt="o", label=code)
     axis.set_xscale("log")
     axis.set_xlabel("processor time of 0.25 s, less start-up [s]")
     axis.set_ylabel("flow through all slots [kg/s]")
@@ -125,4 +154,4 @@ def draw(table):
 
 if __name__ == "__main__":
     there = installed("LIGGGHTS")
-    draw(Table("W4", COLUMNS, larger=("seconds",)).inRounds(lambda table: measure(table, there), roundsOr(1)))
+    draw(tabulate(Table("W4", COLUMNS, larger=("seconds",)), there))

@@ -184,21 +184,18 @@ void addAmongStrays(const ContactList& list, const std::vector<char>& isNew, con
 /// Slots that were slow when the list was built may be fast now.
 void addFastPairs(ContactList& list, const std::vector<std::size_t>& slots)
 {
-    const auto before = static_cast<std::ptrdiff_t>(list.fastPairs.size());
-    std::set_difference(slots.begin(), slots.end(), list.fastPairs.begin(), list.fastPairs.end(), std::back_inserter(list.fastPairs));
-    std::inplace_merge(list.fastPairs.begin(), list.fastPairs.begin() + before, list.fastPairs.end());
+    std::vector<std::size_t> all;
+    all.reserve(list.fastPairs.size() + slots.size());
+    std::set_union(list.fastPairs.begin(), list.fastPairs.end(), slots.begin(), slots.end(), std::back_inserter(all));
+    list.fastPairs = std::move(all);
 }
 
-/// Whether bodies go no further than a period in a step, as images beyond the nearest are not known.
-bool areWithinPeriods(const ContactList& list, const std::vector<int>& bodies, const PeriodicBox& box, double deltaT)
+/// Whether the searches along periodic axes, which know the nearest images, see all that a body may reach on the rest of its path.
+bool isWithinPeriods(const Sphere& sphere, const PeriodicBox& box)
 {
-    return std::all_of(bodies.begin(), bodies.end(), [&](int body)
-    {
-        const Vec3 way = deltaT*Vec3(list.bodies[body].v);
-        bool isWithin = way.allFinite();
-        for (int axis = 0; axis < 3; ++axis) isWithin = isWithin && !(box.isPeriodic(axis) && std::abs(way[axis]) > box.length[axis]);
-        return isWithin;
-    });
+    bool isWithin = std::isfinite(sphere.size);
+    for (int axis = 0; axis < 3; ++axis) isWithin = isWithin && !(box.isPeriodic(axis) && 2.0*sphere.size > box.length[axis]);
+    return isWithin;
 }
 
 bool append(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates)
@@ -236,7 +233,6 @@ bool isWithinTime(const ContactList& list, double deltaT) { return list.path.emp
 
 bool followStrays(ContactList& list, const std::vector<int>& strays, const Scene& scene, const WallSearch& wallSearch, double deltaT)
 {
-    if (!areWithinPeriods(list, strays, scene.box, deltaT)) return false;
     const double range = rangeOfLaws(scene.materials);
     for (int body : strays) turn(list, body, deltaT);
     list.strays.insert(list.strays.end(), strays.begin(), strays.end());
@@ -249,6 +245,7 @@ bool followStrays(ContactList& list, const std::vector<int>& strays, const Scene
     Listed listed = listedOf(list, isNew);
     for (int body : strays)
     {
+        if (!isWithinPeriods(restOfPath(list, body, range), scene.box)) return false;
         if (list.inverseMass[body] != 0.0 && !areWallsListed(list, body, range, listed, scene, wallSearch)) return false;
     }
     Lacking lacking(list, scene, listed);

@@ -15,8 +15,8 @@ namespace
 
 /// What an impact may change a grain's velocity by, in the largest difference between its velocity and those of the candidates it may meet: what a
 /// heavy one does to it at once. Where strays are followed, less: at 0.8 in the bed that bubbles 37 of 24 750 grains are strays in a step for 6, and lists
-/// hold 6.3 candidates a grain for 7.5; at 0.6 there are 390, and every other list is built for them.
-constexpr double impact = 1.0, impactOfStrays = 0.8;
+/// hold 6.3 candidates a grain for 7.5; at 0.6 there are 390, and half as many lists again are built for them.
+constexpr double impactShare = 1.0, impactShareOfStrays = 0.8;
 /// Candidates that pass at more than this [d] give no impacts: fast grains and those around them would make each other candidates without end (rain on a
 /// bed: 80 a grain in place of 21). With a quarter of it a collapse needs two lists in place of one.
 constexpr double widestMiss = 1.0;
@@ -26,24 +26,46 @@ constexpr double mostSteps = 4.0, fewestSteps = 1.5, fewestStepsOfLongLists = 1.
 /// How far impacts may throw grains off their paths in the mean (rms) [d] before lists are made for fewer steps: at first, and while lists are long.
 constexpr double widestScatter = 0.5, widestScatterOfLongLists = 0.25;
 
-/// Of each grain: the speed at which an impact of one that passes within `miss` [m] in a time may throw it off its path; by the time that is left after it, in
-/// the mean over all of it, where `isByTimeLeft`. Two bodies on straight paths come no nearer than along their present normal.
-std::vector<double> speedsOfImpacts(const ContactList& list, const std::vector<Vec3>& velocity, double time, double miss, bool isByTimeLeft)
+/// Two bodies that may hit each other.
+struct Impact
+{
+    int a, b;
+    double way;        ///< until they pass within the miss [m]; < 0 where they do already
+    double approach;   ///< along their present normal [m/s]
+    double speed2;     ///< of one relative to the other, squared [m2/s2]
+};
+
+/// Pairs that pass within `miss` [m] at some instant of a time. Two bodies on straight paths come no nearer than along their present normal.
+std::vector<Impact> foreseenImpacts(const ContactList& list, const std::vector<Vec3>& velocity, double time, double miss)
 {
     std::vector<Vec3> ofBody(list.firstWallBody());
     for (int body = 0; body < list.firstWallBody(); ++body) ofBody[body] = body < list.owned() ? velocity[list.grainOf[body]] : Vec3(list.bodies[body].v);
-    std::vector<double> relative2(ofBody.size(), 0.0);
+    std::vector<Impact> impacts;
+    impacts.reserve(list.candidates);
     for (std::size_t slot = 0; slot < list.slots(); ++slot)
     {
         const ContactBlock& block = list.blocks[slot/blockLanes];
         const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
         if (b >= list.firstWallBody()) continue;
         const Vec3 u = ofBody[a] - ofBody[b];
-        const double way = list.gap[slot] - miss, approach = -time*normal(list, slot).dot(u);
-        if (way > approach) continue;
-        const double share = isByTimeLeft && way > 0.0 ? 1.0 - way/approach : 1.0, speed2 = share*share*u.squaredNorm();
-        relative2[a] = std::max(relative2[a], speed2);
-        relative2[b] = std::max(relative2[b], speed2);
+        const Impact impact{a, b, list.gap[slot] - miss, -normal(list, slot).dot(u), u.squaredNorm()};
+        if (impact.way <= std::max(0.0, time*impact.approach)) impacts.push_back(impact);
+    }
+    return impacts;
+}
+
+/// Of each grain: the speed at which impacts within a time may throw it off its path; by the time that is left after them, in the mean over all of it, where
+/// `isByTimeLeft`.
+std::vector<double> speedsOf(const std::vector<Impact>& impacts, const ContactList& list, double time, bool isByTimeLeft)
+{
+    std::vector<double> relative2(list.firstWallBody(), 0.0);
+    for (const Impact& impact : impacts)
+    {
+        const double approach = time*impact.approach;
+        if (impact.way > approach) continue;
+        const double share = isByTimeLeft && impact.way > 0.0 ? 1.0 - impact.way/approach : 1.0, speed2 = share*share*impact.speed2;
+        relative2[impact.a] = std::max(relative2[impact.a], speed2);
+        relative2[impact.b] = std::max(relative2[impact.b], speed2);
     }
     std::vector<double> speed(list.owned());
     for (int body = 0; body < list.owned(); ++body) speed[list.grainOf[body]] = std::sqrt(relative2[body]);
@@ -72,14 +94,15 @@ ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity,
 {
     const double miss = widestMiss*diameter, widest = (off.areListsLong ? widestScatterOfLongLists : widestScatter)*diameter;
     ListPlan plan;
-    plan.speed = speedsOfImpacts(list, velocity, mostSteps*deltaT, miss, false);
+    const std::vector<Impact> foreseen = foreseenImpacts(list, velocity, mostSteps*deltaT, miss);
+    plan.speed = speedsOf(foreseen, list, mostSteps*deltaT, false);
     const double impacts = rms(plan.speed, list.halo);
     double steps = stepsOfPaths(off.margin*impacts, widest, off.areListsLong ? fewestStepsOfLongLists : fewestSteps, deltaT);
     if (off.areStraysFollowed) steps = std::ceil(steps);
-    if (off.areListsLong) plan.speed = speedsOfImpacts(list, velocity, steps*deltaT, miss, true);
+    if (off.areListsLong) plan.speed = speedsOf(foreseen, list, steps*deltaT, true);
     plan.expected.time = steps*deltaT;
     plan.expected.velocity = velocity;
-    const double ofImpacts = off.margin*(off.areStraysFollowed ? impactOfStrays : impact);
+    const double ofImpacts = off.margin*(off.areStraysFollowed ? impactShareOfStrays : impactShare);
     // After n steps a grain that falls is off its path by n (n + 1)/2 a dt^2.
     const double fallsOfMean = 0.5*(steps + 1.0);
     for (std::size_t i = 0; i < plan.speed.size(); ++i)
