@@ -193,7 +193,7 @@ void addFastPairs(ContactList& list, const std::vector<std::size_t>& slots)
 /// Whether the searches along periodic axes, which know the nearest images, see all that a body may reach on the rest of its path.
 bool isWithinPeriods(const Sphere& sphere, const PeriodicBox& box)
 {
-    bool isWithin = std::isfinite(sphere.size);
+    bool isWithin = true;
     for (int axis = 0; axis < 3; ++axis) isWithin = isWithin && !(box.isPeriodic(axis) && 2.0*sphere.size > box.length[axis]);
     return isWithin;
 }
@@ -245,7 +245,7 @@ bool followStrays(ContactList& list, const std::vector<int>& strays, const Scene
     Listed listed = listedOf(list, isNew);
     for (int body : strays)
     {
-        if (!isWithinPeriods(restOfPath(list, body, range), scene.box)) return false;
+        if (!Vec3(list.bodies[body].v).allFinite() || !isWithinPeriods(restOfPath(list, body, range), scene.box)) return false;
         if (list.inverseMass[body] != 0.0 && !areWallsListed(list, body, range, listed, scene, wallSearch)) return false;
     }
     Lacking lacking(list, scene, listed);

@@ -78,7 +78,7 @@ std::vector<double> GrainDynamics::Implementation::fallsBeyondSkin() const
     return beyond;
 }
 
-/// Whether other ranks, walls that move or laws need a list of what may come.
+/// Not where other ranks would have to know, where walls move, or where laws act by the impulses at the start of a step.
 bool GrainDynamics::Implementation::mayFollowStrays() const
 {
     return !exchange->isParallel() && !sleep.any() && grains.clumps.empty() && list.wallReach.empty() && !list.laws.areOfStart();

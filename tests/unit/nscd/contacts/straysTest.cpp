@@ -243,6 +243,10 @@ TEST(Strays, thatReachFurtherThanHalfAPeriodOrNowhereAreNotFollowed)
         setVelocity(list, 3, Vec3(0, speed, 0));
         ASSERT_EQ(nscd::findStrays(list, 0.5*pathTime, 20), std::vector<int>{bodyOf(list, 3)});
         EXPECT_FALSE(follow(list, {bodyOf(list, 3)}, scene));
+        nscd::ContactList withoutPaths = listContacts(scene, slack);
+        withoutPaths.mostBlocks += 100;
+        setVelocity(withoutPaths, 3, Vec3(0, speed, 0));
+        EXPECT_FALSE(follow(withoutPaths, {bodyOf(withoutPaths, 3)}, scene));
     }
 }
 
