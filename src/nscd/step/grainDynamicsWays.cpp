@@ -78,10 +78,10 @@ std::vector<double> GrainDynamics::Implementation::fallsBeyondSkin() const
     return beyond;
 }
 
-/// Not where other ranks would have to know, where walls move, or where laws act by the impulses at the start of a step.
+/// Where lists are long, a new one costs much. Not where other ranks would have to know, where walls move, or where laws act by the impulses at the start of a step.
 bool GrainDynamics::Implementation::mayFollowStrays() const
 {
-    return !exchange->isParallel() && !sleep.any() && grains.clumps.empty() && list.wallReach.empty() && !list.laws.areOfStart();
+    return areListsLong && !exchange->isParallel() && !sleep.any() && grains.clumps.empty() && list.wallReach.empty() && !list.laws.areOfStart();
 }
 
 GrainDynamics::Implementation::Coverage GrainDynamics::Implementation::coverStep()
