@@ -98,19 +98,6 @@ SearchSpheres spheresAtBodies(const ContactList& list, const std::vector<double>
     return spheres;
 }
 
-/// The image of a pair of bodies whose spheres are images of one another.
-std::array<signed char, 3> imageOfBodies(const SearchSpheres& spheres, const BodyPair& pair, const PeriodicBox& box)
-{
-    std::array<signed char, 3> image = pair.image;
-    if (spheres.shift.empty()) return image;
-    const Vec3 shift = spheres.shift[pair.b] - spheres.shift[pair.a];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        if (box.isPeriodic(axis)) image[axis] = static_cast<signed char>(image[axis] + std::lround(shift[axis]/box.length[axis]));
-    }
-    return image;
-}
-
 } // namespace
 
 std::vector<Vec3> placesOf(const Vec3& x, double reach, const PeriodicBox& box)
@@ -125,6 +112,15 @@ std::vector<Vec3> placesOf(const Vec3& x, double reach, const PeriodicBox& box)
         for (std::size_t k = 0, before = places.size(); k < before; ++k) places.push_back(places[k] + shift*Vec3::Unit(axis));
     }
     return places;
+}
+
+std::array<signed char, 3> movedBy(std::array<signed char, 3> image, const Vec3& shift, const PeriodicBox& box)
+{
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        if (box.isPeriodic(axis)) image[axis] = static_cast<signed char>(image[axis] + std::lround(shift[axis]/box.length[axis]));
+    }
+    return image;
 }
 
 bool mayMeet(const ContactList& list, const Candidate& pair, const PeriodicBox& box, double range, double from)
@@ -159,7 +155,8 @@ Candidates findCandidates
     {
         for (; wall != walls.end() && wall->a < pair.a; ++wall) found.inner.push_back(*wall);
         if (pair.a >= list.owned() || (list.inverseMass[pair.a] == 0.0 && list.inverseMass[pair.b] == 0.0)) continue;
-        const Candidate candidate{pair.a, pair.b, -1, imageOfBodies(spheres, pair, scene.box)};
+        const bool areMoved = !spheres.shift.empty();
+        const Candidate candidate{pair.a, pair.b, -1, areMoved ? movedBy(pair.image, spheres.shift[pair.b] - spheres.shift[pair.a], scene.box) : pair.image};
         if (pair.b < list.owned())
         {
             if (!arePathsKnown || mayMeet(list, candidate, scene.box, range, 0.0)) found.inner.push_back(candidate);

@@ -23,6 +23,9 @@ struct Candidates
 /// A place in the box, and those where a body that may move by `reach` comes in again across a periodic side.
 std::vector<Vec3> placesOf(const Vec3& x, double reach, const PeriodicBox& box);
 
+/// The image of a pair of bodies, from that of spheres whose centers were moved into the box: by `shift` more for b than for a.
+std::array<signed char, 3> movedBy(std::array<signed char, 3> image, const Vec3& shift, const PeriodicBox& box);
+
 /// Whether two own bodies may touch on their paths, or attract each other within `range` each, once they have gone a share `from` of these.
 bool mayMeet(const ContactList& list, const Candidate& pair, const PeriodicBox& box, double range, double from);
 

@@ -118,15 +118,11 @@ public:
 
     bool isTooMuch() const { return found.size() > mostFound_; }
 
-    /// `image`: between the spheres around a and b, whose centers were moved into the box by these shifts.
-    void add(int a, int b, std::array<signed char, 3> image, const Vec3& shiftA, const Vec3& shiftB)
+    /// `image`, `shift`: see movedBy.
+    void add(int a, int b, const std::array<signed char, 3>& image, const Vec3& shift)
     {
         if (list_.inverseMass[a] == 0.0 && list_.inverseMass[b] == 0.0) return;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            if (scene_.box.isPeriodic(axis)) image[axis] = static_cast<signed char>(image[axis] + std::lround((shiftB[axis] - shiftA[axis])/scene_.box.length[axis]));
-        }
-        const Candidate pair = ordered(a, b, image);
+        const Candidate pair = ordered(a, b, movedBy(image, shift, scene_.box));
         if (mayMeet(list_, pair, scene_.box, range_, gone_) && listed_.pairs.insert(keyOf(pair)).second) found.push_back(pair);
     }
 
@@ -153,7 +149,7 @@ void addWithOthers(ContactList& list, const std::vector<int>& strays, const std:
             if (isStray[pair.b]) continue;
             Vec3 middle = list.positionAtBuild[pair.b];
             if (!list.path.empty()) middle += 0.5*list.path[pair.b];
-            lacking.add(body, pair.b, pair.image, center - sphere.center, box.wrap(middle) - middle);
+            lacking.add(body, pair.b, pair.image, box.wrap(middle) - middle - (center - sphere.center));
         }
     }
 }
@@ -175,7 +171,7 @@ void addAmongStrays(const ContactList& list, const std::vector<char>& isNew, con
         for (const BodyPair& pair : pairs)
         {
             const int a = list.strays[pair.a], b = list.strays[pair.b];
-            if (isNew[a] || isNew[b]) lacking.add(a, b, pair.image, shift[pair.a], shift[pair.b]);
+            if (isNew[a] || isNew[b]) lacking.add(a, b, pair.image, shift[pair.b] - shift[pair.a]);
         }
         return !lacking.isTooMuch();
     });

@@ -182,7 +182,7 @@ SolveReport GrainDynamics::Implementation::solveVelocities(const ExternalForces&
     SolveReport report = solveAndWake(external);
     // Grains that turn out faster than the list allows for could pass one another unseen: list what they may meet, and solve again.
     int lists = 0, mended = 0;
-    for (Coverage coverage = coverStep(); coverage != Coverage::whole; coverage = coverStep())
+    for (Coverage coverage = coverOrMend(); coverage != Coverage::whole; coverage = coverOrMend())
     {
         if (coverage == Coverage::mended && ++mended <= maxListRebuilds)
         {
@@ -254,7 +254,7 @@ StepReport GrainDynamics::Implementation::restingReport() const
 void GrainDynamics::Implementation::beginAwakeStep(bool haveWallsJumped)
 {
     if (isListStale) measureGrains();
-    if (isListStale || coverStep() == Coverage::none) rebuildList(grains.velocity, 1.0);
+    if (isListStale || coverOrMend() == Coverage::none) rebuildList(grains.velocity, 1.0);
     else if (haveWallsJumped) placeContacts();
     if (isStepBegun) return;
     isStepBegun = true;

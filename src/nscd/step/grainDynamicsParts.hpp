@@ -95,7 +95,7 @@ struct GrainDynamics::Implementation
     void makeWallSearch();
     /// What a list needs for a step: nothing more; with candidates that were appended, the contacts of these solved too; or to be built anew.
     enum class Coverage { whole, mended, none };
-    Coverage coverStep();
+    Coverage coverOrMend();
     bool mayFollowStrays() const;
     bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list) && atMissedWalls.empty()); }
     double skinOfGrain() const { return 0.5*settings.skin*diameter; }

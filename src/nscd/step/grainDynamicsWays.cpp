@@ -84,7 +84,7 @@ bool GrainDynamics::Implementation::mayFollowStrays() const
     return areListsLong && !exchange->isParallel() && !sleep.any() && grains.clumps.empty() && list.wallReach.empty() && !list.laws.areOfStart();
 }
 
-GrainDynamics::Implementation::Coverage GrainDynamics::Implementation::coverStep()
+GrainDynamics::Implementation::Coverage GrainDynamics::Implementation::coverOrMend()
 {
     const auto timer = times.time(GrainPart::findPairs);
     if (!mayFollowStrays() || !reachToMany.empty()) return coversStep() ? Coverage::whole : Coverage::none;

@@ -26,6 +26,9 @@ double largestReach(const std::vector<WallReach>& wallReach)
     return largest;
 }
 
+/// Of a grain that may go so far relative to walls [m].
+bool isFast(double reach, double radius) { return reach > deepestInWalls*radius; }
+
 /// Of a grain [m]: more than small ones have would let them come through holes.
 double toleranceOf(const WallsOfStep& walls, double radius) { return std::min(walls.tolerance, 0.1*radius); }
 
@@ -136,7 +139,7 @@ bool areAnyFast(const Grains& grains, const std::vector<double>& reach, const st
     const double ofWalls = largestReach(wallReach);
     for (std::size_t i = 0; i < grains.size(); ++i)
     {
-        if (reach[i] + ofWalls > deepestInWalls*grains.radius[i]) return true;
+        if (isFast(reach[i] + ofWalls, grains.radius[i])) return true;
     }
     return false;
 }
@@ -144,7 +147,7 @@ bool areAnyFast(const Grains& grains, const std::vector<double>& reach, const st
 bool areAnyFast(const ContactList& list, const std::vector<int>& bodies)
 {
     const double ofWalls = largestReach(list.wallReach);
-    return std::any_of(bodies.begin(), bodies.end(), [&](int body) { return list.reach[body] + ofWalls > deepestInWalls*list.radius[body]; });
+    return std::any_of(bodies.begin(), bodies.end(), [&](int body) { return isFast(list.reach[body] + ofWalls, list.radius[body]); });
 }
 
 std::vector<double> reachesToMany(const Grains& grains, const WallSearch& search, const std::vector<double>& speed, double deltaT, double reachAtRest)

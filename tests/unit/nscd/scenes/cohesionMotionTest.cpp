@@ -169,19 +169,17 @@ TEST(Cohesion, aJudgeOfItsOwnAgrees)
     settings.polishSweeps = 0;
     auto dynamics = scene.build(settings);
     const double diameter = meanDiameter(scene.grains);
-    int forcesOff = 0;   // without polishing: 31 of 100 800 steps of 504 such heaps, in 22 of these
     for (int k = 0; k < 200; ++k)
     {
         const nscd::Grains before = dynamics.grains();
         const nscd::StepReport report = step(dynamics, scene.g, deltaT);
-        forcesOff += !report.solve.converged;
+        ASSERT_TRUE(report.solve.converged) << k;
         if (report.solve.contacts < 10) continue;
         const NaturalMap map = Judge(scene, 0.4, settings.deadBand*diameter, deltaT)(before, dynamics);
         // Contacts that attract and bear nothing count for the judge alone.
         const double norm = report.solve.residualRms*std::sqrt(static_cast<double>(report.solve.contacts));
         ASSERT_NEAR(map.norm, norm, 1e-6*norm + 1e-14*gravity*deltaT) << k;
     }
-    EXPECT_LE(forcesOff, 2);
 }
 
 TEST(Cohesion, aTrialThatClosesAGapMakesNoBond)
