@@ -90,7 +90,7 @@ SolveReport solveNlgs(ContactProblem& problem, const ContactSettings& settings)
         problem.packing->giveBack(problem);
     }
     else report = sweepWithHelp(problem, settings);
-    problem.packing->note(report.sweeps);
+    problem.packing->note(problem.isShock, report.sweeps);
     return report;
 }
 

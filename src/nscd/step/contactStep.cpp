@@ -47,6 +47,12 @@ void setBody(Body& body, const Vec3& v, double invMass, const Vec3& s, double in
     body.invSpin = invSpin;
 }
 
+/// Whether a contact of the block may carry an impulse.
+bool isReachable(const ContactBlock& block)
+{
+    return std::any_of(block.bias, block.bias + blockLanes, [](double bias) { return bias < unreachable; });
+}
+
 } // namespace
 
 void setFreeVelocities(ContactList& list, const Grains& grains, const ExternalForces& forces, double deltaT, const GrainSleep& sleep)
@@ -251,6 +257,8 @@ bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, 
         block.bias[lane] = isRebounding ? -list.restitution[slot]*approach : isClosed ? 0.0 : unreachable;
         anyRebound = anyRebound || isRebounding;
     });
+    const auto isIdle = [&](std::uint32_t k) { return !isReachable(list.blocks[k]); };
+    list.awake.erase(std::remove_if(list.awake.begin(), list.awake.end(), isIdle), list.awake.end());
     return list.halo.any(anyRebound);
 }
 

@@ -193,7 +193,7 @@ std::vector<StoredImpulse> GrainDynamics::checkpoint(double& lastDeltaT)
     lastDeltaT = self.impulseDeltaT;
     self.wakeAll();
     self.stepsAtCap = self.stepsOfManyImpacts = 0;
-    self.packing.note(0);
+    self.packing.forget();
     if (!self.isListStale) self.restored = collectImpulses(self.list);
     self.list = ContactList();
     self.shockImpulses.clear();
@@ -219,7 +219,7 @@ void GrainDynamics::restore(const std::vector<StoredImpulse>& impulses, double l
     self.impulseDeltaT = lastDeltaT;
     self.wakeAll();
     self.stepsAtCap = self.stepsOfManyImpacts = 0;
-    self.packing.note(0);
+    self.packing.forget();
     self.list = ContactList();
     self.shockImpulses.clear();
     self.stepsPerList = fewestStepsPerList;

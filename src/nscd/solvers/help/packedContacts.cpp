@@ -7,6 +7,7 @@
 #include "nscd/contacts/contactLaw.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -53,11 +54,26 @@ void putOutOfReach(ContactBlock& block, int lane)
 
 bool PackedContacts::isWorthwhile(const ContactProblem& whole, const SolverStrategy::Packing& strategy) const
 {
-    return strategy.isOn && whole.isFlowing() && !whole.general && !whole.halo.isParallel()
-        && lastSweeps_ >= strategy.longSolve && whole.awake.size() >= strategy.largeProblem;
+    return strategy.isOn && whole.isFlowing() && !whole.general && lastSweeps_[whole.isShock] >= (whole.isShock ? strategy.longShock : strategy.longSolve)
+        && whole.halo.any(whole.awake.size() >= strategy.largeProblem);
 }
 
-void PackedContacts::append(const std::vector<std::uint32_t>& slots, int staticBody)
+/// Behind the contacts of their kind: first those within this rank, then those with others.
+void PackedContacts::append(const std::vector<std::uint32_t>& slots, ContactProblem& packed)
+{
+    const int staticBody = static_cast<int>(packed.bodies.size()) - 1;
+    const auto isInner = [&](std::uint32_t slot) { return slot/blockLanes < homeInterface_; };
+    std::vector<std::uint32_t> inner, interface;
+    std::partition_copy(slots.begin(), slots.end(), std::back_inserter(inner), std::back_inserter(interface), isInner);
+    const std::size_t before = blocks_.size();
+    insert(inner, packed.interfaceBlock, staticBody);
+    packed.interfaceBlock += blocks_.size() - before;
+    insert(interface, blocks_.size(), staticBody);
+    awake_.resize(blocks_.size());
+    std::iota(awake_.begin(), awake_.end(), 0u);
+}
+
+void PackedContacts::insert(const std::vector<std::uint32_t>& slots, std::size_t before, int staticBody)
 {
     std::vector<ContactBlock>& home = *home_;
     std::vector<Candidate> contacts;
@@ -71,10 +87,9 @@ void PackedContacts::append(const std::vector<std::uint32_t>& slots, int staticB
     std::iota(order.begin(), order.end(), 0u);
     const Batches batches = batchContacts(contacts, order, staticBody);
 
-    const std::size_t before = blocks_.size();
-    blocks_.resize(before + batches.blocks, emptyBlock(staticBody));
-    if (homeLaw_) ofLaw_.resize(blocks_.size(), LawBlock());
-    slotOf_.resize(blocks_.size()*blockLanes, noSlot);
+    blocks_.insert(blocks_.begin() + static_cast<std::ptrdiff_t>(before), batches.blocks, emptyBlock(staticBody));
+    if (homeLaw_) ofLaw_.insert(ofLaw_.begin() + static_cast<std::ptrdiff_t>(before), batches.blocks, LawBlock());
+    slotOf_.insert(slotOf_.begin() + static_cast<std::ptrdiff_t>(before*blockLanes), batches.blocks*blockLanes, noSlot);
     for (std::size_t k = 0; k < slots.size(); ++k)
     {
         const std::size_t place = before*blockLanes + batches.slotOf[k];
@@ -84,14 +99,13 @@ void PackedContacts::append(const std::vector<std::uint32_t>& slots, int staticB
         putOutOfReach(from, slots[k] % blockLanes);
         slotOf_[place] = slots[k];
     }
-    awake_.resize(blocks_.size());
-    std::iota(awake_.begin() + static_cast<std::ptrdiff_t>(before), awake_.end(), static_cast<std::uint32_t>(before));
 }
 
 ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
 {
     const StepTimes::Timer timer(whole.times, GrainPart::packContacts);
     home_ = &whole.blocks;
+    homeInterface_ = whole.interfaceBlock;
     homeLaw_ = whole.lawBlocks;
     blocks_.clear();
     ofLaw_.clear();
@@ -109,10 +123,9 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
         const bool isPacked = hasFilm || block.bias[lane] == 0.0 || isLoaded(block, lane) || isClosing(whole.bodies, block, lane, margin);
         if (isPacked) slots.push_back(k*blockLanes + static_cast<std::uint32_t>(lane));
     }
-    append(slots, staticBody);
     ContactProblem packed
     {
-        whole.bodies, blocks_, awake_, std::numeric_limits<std::size_t>::max(), whole.halo, whole.kernels, whole.isFrictional,
+        whole.bodies, blocks_, awake_, 0, whole.halo, whole.kernels, whole.isFrictional,
         whole.deltaT, whole.speedScale, whole.diameter, whole.position
     };
     packed.motion = whole.motion;
@@ -124,31 +137,42 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
     packed.leftOut = this;
     packed.freeVelocity = whole.freeVelocity;
     packed.times = whole.times;
+    append(slots, packed);
+    isShock_ = whole.isShock;
+    mattering_ = whole.isShock ? whole.awake : std::vector<std::uint32_t>();
     return packed;
+}
+
+BlockRange PackedContacts::lookedAt() const
+{
+    return isShock_ ? BlockRange{mattering_.data(), mattering_.size()} : BlockRange{nullptr, home_->size()};
 }
 
 bool PackedContacts::wake(ContactProblem& packed)
 {
+    packed.giveVelocities();
     const int staticBody = static_cast<int>(packed.bodies.size()) - 1;
     std::vector<std::uint32_t> slots;
-    for (std::size_t k = 0; k < home_->size(); ++k)
+    const BlockRange looked = lookedAt();
+    for (std::size_t m = 0; m < looked.count; ++m)
     {
+        const std::uint32_t k = static_cast<std::uint32_t>(looked[m]);
         const ContactBlock& block = (*home_)[k];
         // What is not packed carries nothing: what the law asks for is normal, so the frictionless evaluation tells.
         if (packed.kernels.evaluateFrictionless(packed.bodies.data(), &(*home_)[k], {nullptr, 1}).active == 0.0) continue;
         for (int lane = 0; lane < blockLanes; ++lane)
         {
             if (block.a[lane] == staticBody || !isClosing(packed.bodies, block, lane)) continue;
-            slots.push_back(static_cast<std::uint32_t>(k*blockLanes) + static_cast<std::uint32_t>(lane));
+            slots.push_back(k*blockLanes + static_cast<std::uint32_t>(lane));
         }
     }
-    if (!slots.empty()) append(slots, staticBody);
-    return !slots.empty();
+    if (!slots.empty()) append(slots, packed);
+    return packed.halo.any(!slots.empty());
 }
 
 DefectSums PackedContacts::defects(const ContactProblem& packed) const
 {
-    return packed.kernels.evaluateFrictionless(packed.bodies.data(), home_->data(), {nullptr, home_->size()});
+    return packed.kernels.evaluateFrictionless(packed.bodies.data(), home_->data(), lookedAt());
 }
 
 void PackedContacts::giveBack(ContactProblem& whole) const

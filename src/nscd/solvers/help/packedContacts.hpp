@@ -15,7 +15,7 @@ namespace nscd
 class PackedContacts : public ContactsLeftOut
 {
 public:
-    /// Whether packing pays: in a large flow whose last solve was long, on one rank. It costs as much as five sweeps and saves a fifth of each.
+    /// Whether packing pays: in a large flow whose last solve of its kind was long. It costs as much as five sweeps. Collective.
     bool isWorthwhile(const ContactProblem& whole, const SolverStrategy::Packing& strategy) const;
 
     /// The contacts of the active blocks that carry an impulse, are closed, or close in the present motion.
@@ -28,19 +28,25 @@ public:
     /// Gives the impulses to the whole problem, whose active blocks then hold all that is loaded.
     void giveBack(ContactProblem& whole) const;
 
-    /// Takes note of how long the last solve was; 0: not known.
-    void note(int sweeps) { lastSweeps_ = sweeps; }
+    /// Takes note of how long the last solve of its kind was.
+    void note(bool isShock, int sweeps) { lastSweeps_[isShock] = sweeps; }
+    void forget() { lastSweeps_[0] = lastSweeps_[1] = 0; }
 
 private:
-    void append(const std::vector<std::uint32_t>& slots, int staticBody);
+    void append(const std::vector<std::uint32_t>& slots, ContactProblem& packed);
+    void insert(const std::vector<std::uint32_t>& slots, std::size_t before, int staticBody);
+    BlockRange lookedAt() const;
 
-    int lastSweeps_ = 0;
+    int lastSweeps_[2] = {0, 0};   ///< of motions, of shocks; 0: not known
     std::vector<ContactBlock>* home_ = nullptr;
+    std::size_t homeInterface_ = 0;       ///< of the list's blocks, the first that joins grains of two ranks
     std::vector<ContactBlock> blocks_;
     std::vector<LawBlock>* homeLaw_ = nullptr;   ///< null where contacts bear none
     std::vector<LawBlock> ofLaw_;
     std::vector<std::uint32_t> awake_;    ///< all of them
     std::vector<std::uint32_t> slotOf_;   ///< of each packed lane; lanes that are not used have none
+    std::vector<std::uint32_t> mattering_;  ///< of the list's blocks, those that contacts not packed may come from in a shock
+    bool isShock_ = false;
 };
 
 } // namespace nscd

@@ -92,6 +92,7 @@ void SweepMomentum::keepImage()
     gatherImpulses(problem_.blocks, problem_.active(), image_);
     gatherLaw();
     bodies_ = problem_.bodies;
+    inner_ = problem_.inner().count;
     hasImage_ = true;
 }
 
@@ -152,10 +153,14 @@ void SweepMomentum::advance(bool isNear)
 
 void SweepMomentum::grow()
 {
-    const std::size_t numbers = blockSize*problem_.active().count;
-    if (!image_.empty()) image_.resize(numbers, 0.0);
-    if (!ofLaw_.empty()) ofLaw_.resize(numbers, 0.0);
-    if (!start_.empty()) start_.resize(numbers, 0.0);
+    const std::size_t numbers = blockSize*problem_.active().count, innerNow = problem_.inner().count;
+    for (Impulses* impulses : {&image_, &ofLaw_, &start_})
+    {
+        if (impulses->empty()) continue;
+        impulses->insert(impulses->begin() + static_cast<std::ptrdiff_t>(blockSize*inner_), blockSize*(innerNow - inner_), 0.0);
+        impulses->resize(numbers, 0.0);
+    }
+    inner_ = innerNow;
 }
 
 void SweepMomentum::revert()

@@ -39,7 +39,7 @@ public:
     /// Drops r_{k-1}, and with it the direction, not the pace.
     void forget() { hasImage_ = false; }
 
-    /// Takes in active blocks that have come behind the others, and carry nothing.
+    /// Takes in active blocks that have come behind the others within this rank, and behind those with other ranks, and carry nothing.
     void grow();
 
 private:
@@ -58,6 +58,7 @@ private:
     double limit_;        ///< of theta, where grains fall
     double pace_ = 1.0;   ///< t
     bool hasImage_ = false;
+    std::size_t inner_ = 0;      ///< active blocks within this rank, when the image was made
     Impulses image_;      ///< r_k
     Impulses ofLaw_;    ///< of r_k, numbered likewise, where contacts bear any
     std::vector<Body> bodies_;   ///< with the velocities of r_k

@@ -129,8 +129,16 @@ TEST(PackedContacts, areWorthwhileInLongSolvesOfLargeFlows)
     nscd::ContactProblem problem = grid.problem();
     nscd::PackedContacts packing;
     EXPECT_FALSE(packing.isWorthwhile(problem, {}));
-    packing.note(100);
+    packing.note(false, 100);
     EXPECT_TRUE(packing.isWorthwhile(problem, {}));
+    problem.isShock = true;
+    EXPECT_FALSE(packing.isWorthwhile(problem, {}));
+    packing.note(true, 12);
+    EXPECT_TRUE(packing.isWorthwhile(problem, {}));
+    packing.forget();
+    EXPECT_FALSE(packing.isWorthwhile(problem, {}));
+    problem.isShock = false;
+    packing.note(false, 100);
     problem.motion = 0.1;
     EXPECT_FALSE(packing.isWorthwhile(problem, {}));
     Column column(3, Vec3::UnitZ());
@@ -166,7 +174,7 @@ TEST(PackedContacts, areSolvedAsTheWholeIs)
         Grid whole(hasFriction), packed(hasFriction);
         nscd::ContactProblem a = whole.problem(), b = packed.problem();
         nscd::PackedContacts packing;
-        packing.note(100);
+        packing.note(false, 100);
         b.packing = &packing;
         EXPECT_TRUE(nscd::solveNlgs(a, exact()).converged);
         const nscd::SolveReport report = nscd::solveNlgs(b, exact());
@@ -198,7 +206,7 @@ TEST(PackedContacts, takeMomentsAlong)
     packing.giveBack(problem);
     EXPECT_EQ(std::memcmp(grid.moments.data(), before.data(), before.size()*sizeof(nscd::LawBlock)), 0);
 
-    packing.note(100);
+    packing.note(false, 100);
     problem.packing = &packing;
     EXPECT_TRUE(nscd::solveNlgs(problem, exact()).converged);
     EXPECT_LE(nscd::rms(nscd::residual(problem)), 1.0001e-10);
@@ -222,4 +230,44 @@ TEST(PackedContacts, takeInWhatComesToClose)
     EXPECT_EQ(packed.awake.size(), packed.blocks.size());
     EXPECT_EQ(packing.defects(packed).sumSquares, 0.0);
     EXPECT_FALSE(nscd::wakeBlocks(packed));
+}
+
+TEST(PackedContacts, withOtherRanksStandBehindThoseWithinThisOne)
+{
+    Grid grid(true);
+    nscd::ContactProblem problem = grid.problem();
+    problem.interfaceBlock = grid.blocks.size()/3;
+    const std::vector<nscd::ContactBlock> home = grid.blocks;
+    const auto isInner = [&](const nscd::ContactBlock& block, int lane)
+    {
+        for (std::size_t k = 0; k < problem.interfaceBlock; ++k)
+        for (int l = 0; l < nscd::blockLanes; ++l)
+        {
+            if (home[k].a[l] == block.a[lane] && home[k].b[l] == block.b[lane]) return true;
+        }
+        return false;
+    };
+    nscd::PackedContacts packing;
+    nscd::ContactProblem packed = packing.pack(problem, 0.008);
+    for (int round = 0; round < 2; ++round)
+    {
+        std::size_t inner = 0, contacts = 0;
+        for (std::size_t k = 0; k < packed.blocks.size(); ++k)
+        for (int lane = 0; lane < nscd::blockLanes; ++lane)
+        {
+            const nscd::ContactBlock& block = packed.blocks[k];
+            if (block.a[lane] == Grid::side*Grid::side) continue;
+            ++contacts;
+            inner += isInner(block, lane);
+            ASSERT_EQ(isInner(block, lane), k < packed.interfaceBlock) << k;
+        }
+        EXPECT_GT(inner, 100u);
+        EXPECT_GT(contacts, inner + 100u);
+        EXPECT_EQ(packed.inner().count + packed.interface().count, packed.blocks.size());
+        for (nscd::Body& body : grid.bodies)
+        {
+            for (double& v : body.v) v *= 3.0;
+        }
+        EXPECT_TRUE(nscd::wakeBlocks(packed));
+    }
 }

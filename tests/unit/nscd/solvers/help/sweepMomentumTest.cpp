@@ -3,6 +3,7 @@
 //
 // Momentum of sweeps: its first iterates by hand, and what it does for a cold column.
 #include "unit/nscd/scenes/fallingColumn.hpp"
+#include "nscd/contacts/contactBatching.hpp"
 #include "nscd/solvers/help/sweepMomentum.hpp"
 
 #include <gtest/gtest.h>
@@ -165,4 +166,27 @@ TEST(SweepMomentum, bringsTheWeightOfAColdColumnDown)
     EXPECT_EQ(report.newtonSteps, 0);
     EXPECT_LT(report.sweeps, 400);
     EXPECT_NEAR(column.blocks[0].r[2][0], 60.0, 0.36);  // N^2 times that of velocities
+}
+
+/// Blocks that come in behind those within this rank, and behind those with others: the history of the others stays theirs.
+TEST(SweepMomentum, takesInWhatComesBehindEitherKind)
+{
+    Column column(3, Vec3::UnitZ());
+    nscd::ContactProblem problem = column.problem();
+    problem.interfaceBlock = 2;
+    const nscd::SolverStrategy strategy;
+    nscd::SweepMomentum momentum(problem, flowing, strategy.momentum);
+    for (int k = 0; k < 3; ++k) column.blocks[k].r[2][0] = 1.0 + k;
+    momentum.advance();
+    const nscd::ContactBlock last = column.blocks[2], none = nscd::emptyBlock(3);
+    column.blocks = {column.blocks[0], column.blocks[1], none, last, none};
+    column.awake = {0, 1, 2, 3, 4};
+    problem.interfaceBlock = 3;
+    momentum.grow();
+    for (int k : {0, 1, 3}) column.blocks[k].r[2][0] += 1.0;
+    momentum.advance();
+    const nscd::SweepOn on = momentum.forNextSweep();
+    ASSERT_TRUE(on.before);
+    const double expected[] = {1.0, 2.0, 0.0, 3.0, 0.0};
+    for (int k = 0; k < 5; ++k) EXPECT_EQ(on.before[3*nscd::blockLanes*k + 2*nscd::blockLanes], expected[k]) << k;
 }
