@@ -47,10 +47,12 @@ void setBody(Body& body, const Vec3& v, double invMass, const Vec3& s, double in
     body.invSpin = invSpin;
 }
 
-/// Whether a contact of the block may carry an impulse.
-bool isReachable(const ContactBlock& block)
+/// Whether no contact of the block carries an impulse, nor may get one.
+bool isIdle(const ContactBlock& block)
 {
-    return std::any_of(block.bias, block.bias + blockLanes, [](double bias) { return bias < unreachable; });
+    const auto isOut = [](double bias) { return bias >= unreachable; };
+    const auto isZero = [](double component) { return component == 0.0; };
+    return std::all_of(block.bias, block.bias + blockLanes, isOut) && std::all_of(&block.r[0][0], &block.r[0][0] + 3*blockLanes, isZero);
 }
 
 } // namespace
@@ -257,8 +259,8 @@ bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, 
         block.bias[lane] = isRebounding ? -list.restitution[slot]*approach : isClosed ? 0.0 : unreachable;
         anyRebound = anyRebound || isRebounding;
     });
-    const auto isIdle = [&](std::uint32_t k) { return !isReachable(list.blocks[k]); };
-    list.awake.erase(std::remove_if(list.awake.begin(), list.awake.end(), isIdle), list.awake.end());
+    const auto mayBeLeftOut = [&](std::uint32_t k) { return isIdle(list.blocks[k]); };
+    list.awake.erase(std::remove_if(list.awake.begin(), list.awake.end(), mayBeLeftOut), list.awake.end());
     return list.halo.any(anyRebound);
 }
 

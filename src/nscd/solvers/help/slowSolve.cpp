@@ -147,7 +147,7 @@ void SlowSolve::forget()
 void SlowSolve::wake()
 {
     if (!momentum_ || !problem_.leftOut) return forget();
-    // Contacts that a packed problem gains stand behind the others, and have carried nothing so far.
+    // Contacts that a packed problem gains stand behind those of their kind, and have carried nothing so far.
     queue_.reset();
     momentum_->grow();
 }

@@ -154,9 +154,10 @@ void SweepMomentum::advance(bool isNear)
 void SweepMomentum::grow()
 {
     const std::size_t numbers = blockSize*problem_.active().count, innerNow = problem_.inner().count;
-    for (Impulses* impulses : {&image_, &ofLaw_, &start_})
+    // Also where a rank had none so far.
+    for (Impulses* impulses : {&image_, &start_, &ofLaw_})
     {
-        if (impulses->empty()) continue;
+        if (impulses == &ofLaw_ && !problem_.lawBlocks) continue;
         impulses->insert(impulses->begin() + static_cast<std::ptrdiff_t>(blockSize*inner_), blockSize*(innerNow - inner_), 0.0);
         impulses->resize(numbers, 0.0);
     }

@@ -24,7 +24,8 @@ public:
     virtual ~ContactsLeftOut() = default;
     /// Their defects at the problem's velocities [m/s].
     virtual DefectSums defects(const ContactProblem& problem) const = 0;
-    /// Takes those into the problem that should carry an impulse at its velocities, behind the others. Returns whether there were any.
+    /// Takes those into the problem that should carry an impulse at its velocities, behind those of their kind (within this rank, with others). Returns whether there
+    /// were any, on any rank.
     virtual bool wake(ContactProblem& problem) = 0;
 };
 

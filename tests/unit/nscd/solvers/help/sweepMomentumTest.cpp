@@ -10,6 +10,7 @@
 
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 using namespace scenes;
 
@@ -189,4 +190,23 @@ TEST(SweepMomentum, takesInWhatComesBehindEitherKind)
     ASSERT_TRUE(on.before);
     const double expected[] = {1.0, 2.0, 0.0, 3.0, 0.0};
     for (int k = 0; k < 5; ++k) EXPECT_EQ(on.before[3*nscd::blockLanes*k + 2*nscd::blockLanes], expected[k]) << k;
+}
+
+/// A rank that has no active block when momentum starts, and gets one.
+TEST(SweepMomentum, takesInTheFirstBlockOfARank)
+{
+    Column column(1, Vec3::UnitZ());
+    const std::vector<nscd::ContactBlock> later = std::exchange(column.blocks, {});
+    column.awake.clear();
+    nscd::ContactProblem problem = column.problem();
+    const nscd::SolverStrategy strategy;
+    nscd::SweepMomentum momentum(problem, flowing, strategy.momentum);
+    momentum.advance();
+    column.blocks = later;
+    column.awake = {0};
+    problem.interfaceBlock = 1;
+    momentum.grow();
+    EXPECT_NEAR(advanceFrom(1.0, column, problem, momentum), 1.9, 1e-14);
+    momentum.revert();
+    EXPECT_EQ(column.blocks[0].r[2][0], 1.0);
 }
