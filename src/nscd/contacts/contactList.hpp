@@ -112,7 +112,7 @@ inline Vec3 normal(const ContactList& list, std::size_t slot)
     return Vec3(block.n[0][lane], block.n[1][lane], block.n[2][lane]);
 }
 
-/// Slots of the blocks that can matter in this step: all contacts that are closed, may close (in a shock these cannot), or carry an impulse. visit(slot)
+/// Slots of the blocks that can matter in this step: all contacts that are closed, may close, or carry an impulse. visit(slot)
 template<class Visit>
 void forEachAwakeSlot(const ContactList& list, const Visit& visit)
 {

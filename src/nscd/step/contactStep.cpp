@@ -259,9 +259,13 @@ bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, 
         block.bias[lane] = isRebounding ? -list.restitution[slot]*approach : isClosed ? 0.0 : unreachable;
         anyRebound = anyRebound || isRebounding;
     });
-    const auto mayBeLeftOut = [&](std::uint32_t k) { return isIdle(list.blocks[k]); };
-    list.awake.erase(std::remove_if(list.awake.begin(), list.awake.end(), mayBeLeftOut), list.awake.end());
     return list.halo.any(anyRebound);
+}
+
+void leaveOutIdle(ContactList& list)
+{
+    const auto isLeftOut = [&](std::uint32_t k) { return isIdle(list.blocks[k]); };
+    list.awake.erase(std::remove_if(list.awake.begin(), list.awake.end(), isLeftOut), list.awake.end());
 }
 
 } // namespace nscd

@@ -82,8 +82,11 @@ struct OverlapStatistics
 OverlapStatistics measureOverlap(const ContactList& list);
 
 /// Sets the bias of the second velocity solve: u_n + e u_n^- >= 0 for closed contacts whose free speed |u_n^-| exceeds the
-/// threshold, u_n >= 0 for the other closed ones; open ones are out of reach. Closed are those of the list's awake blocks alone, and blocks without
-/// any, and without an impulse, are not awake then. `freeBodies` are the velocities before contact. Returns whether any rebounds.
+/// threshold, u_n >= 0 for the other closed ones; open ones are out of reach. Closed are those of the list's awake blocks alone.
+/// `freeBodies` are the velocities before contact. Returns whether any rebounds.
 bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, double threshold, double deadBand);
+
+/// Of the awake blocks leaves those awake in which a contact carries an impulse or is in reach.
+void leaveOutIdle(ContactList& list);
 
 } // namespace nscd

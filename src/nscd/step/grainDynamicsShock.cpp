@@ -26,11 +26,7 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     list.bodies = inelastic.bodies;
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
     // What the motion leaves a film between does not hit, however thin the film.
-    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, materials.anyRoughness() ? 0.0 : deadBand()))
-    {
-        list.awake = inelastic.blocks;
-        return false;
-    }
+    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, materials.anyRoughness() ? 0.0 : deadBand())) return false;
 
     ContactProblem problem = makeProblem(external.speedScale);
     problem.times = nullptr;   // all of it is the rebound
@@ -41,14 +37,15 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
+    leaveOutIdle(list);
     const SolveReport shock = solveWhereAwake(problem, shockSettings, solve);
+    list.awake = inelastic.blocks;
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     if (sleep.any() && list.halo.any(!sleep.disturbedBy(grains, list, forcesOnBodies(), deltaT).empty()))
     {
         report = together(shock, report);
         // A shock goes through everything that touches: once more, with nobody asleep.
         swapImpulses(list, inelastic);
-        list.awake = inelastic.blocks;
         awakePart.giveBack(list, forcesOnBodies());
         giveUpSleep();
         prepareSolve(external);
@@ -65,7 +62,6 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     if (sleep.any()) shockImpulses.keep(awakePart.impulses(list));
     // The next step starts from the impulses of the motion, not from those of the shock.
     swapImpulses(list, inelastic);
-    list.awake = inelastic.blocks;
     if (!sleep.any()) shockImpulses.keep(std::move(inelastic));
     return true;
 }

@@ -110,7 +110,6 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
     blocks_.clear();
     ofLaw_.clear();
     slotOf_.clear();
-    awake_.clear();
     const int staticBody = static_cast<int>(whole.bodies.size()) - 1;
     const double margin = nearlyClosing*whole.diameter/whole.deltaT;
     std::vector<std::uint32_t> slots;
@@ -138,14 +137,13 @@ ContactProblem PackedContacts::pack(ContactProblem& whole, double nearlyClosing)
     packed.freeVelocity = whole.freeVelocity;
     packed.times = whole.times;
     append(slots, packed);
-    isShock_ = whole.isShock;
-    mattering_ = whole.isShock ? whole.awake : std::vector<std::uint32_t>();
+    if (whole.isShock) awakeAtHome_ = whole.awake;
     return packed;
 }
 
-BlockRange PackedContacts::lookedAt() const
+BlockRange PackedContacts::lookedAt(const ContactProblem& packed) const
 {
-    return isShock_ ? BlockRange{mattering_.data(), mattering_.size()} : BlockRange{nullptr, home_->size()};
+    return packed.isShock ? BlockRange{awakeAtHome_.data(), awakeAtHome_.size()} : BlockRange{nullptr, home_->size()};
 }
 
 bool PackedContacts::wake(ContactProblem& packed)
@@ -153,7 +151,7 @@ bool PackedContacts::wake(ContactProblem& packed)
     packed.giveVelocities();
     const int staticBody = static_cast<int>(packed.bodies.size()) - 1;
     std::vector<std::uint32_t> slots;
-    const BlockRange looked = lookedAt();
+    const BlockRange looked = lookedAt(packed);
     for (std::size_t m = 0; m < looked.count; ++m)
     {
         const std::uint32_t k = static_cast<std::uint32_t>(looked[m]);
@@ -172,7 +170,7 @@ bool PackedContacts::wake(ContactProblem& packed)
 
 DefectSums PackedContacts::defects(const ContactProblem& packed) const
 {
-    return packed.kernels.evaluateFrictionless(packed.bodies.data(), home_->data(), lookedAt());
+    return packed.kernels.evaluateFrictionless(packed.bodies.data(), home_->data(), lookedAt(packed));
 }
 
 void PackedContacts::giveBack(ContactProblem& whole) const

@@ -35,7 +35,7 @@ public:
 private:
     void append(const std::vector<std::uint32_t>& slots, ContactProblem& packed);
     void insert(const std::vector<std::uint32_t>& slots, std::size_t before, int staticBody);
-    BlockRange lookedAt() const;
+    BlockRange lookedAt(const ContactProblem& packed) const;
 
     int lastSweeps_[2] = {0, 0};   ///< of motions, of shocks; 0: not known
     std::vector<ContactBlock>* home_ = nullptr;
@@ -45,8 +45,7 @@ private:
     std::vector<LawBlock> ofLaw_;
     std::vector<std::uint32_t> awake_;    ///< all of them
     std::vector<std::uint32_t> slotOf_;   ///< of each packed lane; lanes that are not used have none
-    std::vector<std::uint32_t> mattering_;  ///< of the list's blocks, those that contacts not packed may come from in a shock
-    bool isShock_ = false;
+    std::vector<std::uint32_t> awakeAtHome_;  ///< of the list's blocks, in a shock: it lets no others carry anything
 };
 
 } // namespace nscd

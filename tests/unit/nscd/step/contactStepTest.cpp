@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 using namespace scenes;
 
 namespace
@@ -200,6 +202,29 @@ TEST(ContactStep, closedContactsReboundWithNewtonsShareOfTheirApproach)
             EXPECT_NEAR(bias, list.gap[slot] > 1e-3 ? nscd::unreachable : closed, 1e-15*std::abs(bias) + 1e-15);
         }
     }
+}
+
+/// Friction that is held may load a contact along its surface alone.
+TEST(ContactStep, blocksAreIdleWithoutAnyContactInReachOrImpulse)
+{
+    Scene scene(3, 0.0, 0.6);
+    for (double x : {0.0, 0.2, 0.55}) scene.addGrain(Vec3(x, 0, 0), radius);   // one pair touches, one is far apart
+    nscd::ContactList list = listContacts(scene, 0.3);
+    std::size_t touching = 0, apart = 0;
+    for (std::size_t slot : usedSlots(list)) (list.gap[slot] < 1e-3 ? touching : apart) = slot;
+    ASSERT_NE(touching/nscd::blockLanes, apart/nscd::blockLanes);
+    const auto awakeWith = [&](const Vec3& impulse)
+    {
+        nscd::setImpulse(list, apart, impulse);
+        list.awake.resize(list.blocks.size());
+        std::iota(list.awake.begin(), list.awake.end(), 0u);
+        nscd::setRestitutionBias(list, list.bodies, 1.0, 1e-3);
+        nscd::leaveOutIdle(list);
+        return list.awake;
+    };
+    const std::uint32_t near = static_cast<std::uint32_t>(touching/nscd::blockLanes), far = static_cast<std::uint32_t>(apart/nscd::blockLanes);
+    EXPECT_EQ(awakeWith(Vec3::Zero()), std::vector<std::uint32_t>{near});
+    EXPECT_EQ(awakeWith(Vec3::UnitZ()), (std::vector<std::uint32_t>{std::min(near, far), std::max(near, far)}));
 }
 
 TEST(ContactStep, aSceneIsInPlaneIfNothingLeavesItToTheBit)
