@@ -5,7 +5,6 @@
 #include "parallel/mpiExchange.hpp"
 
 #include "nscd/base/invalidValue.hpp"
-#include "parallel/ghostSearch.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -44,9 +43,9 @@ MpiExchange::MpiExchange(MPI_Comm parent)
     tree_(Communicator(parent))
 {}
 
-std::vector<GhostGrain> MpiExchange::findGhosts(const Grains& owned, const std::vector<double>& reach, const PeriodicBox& box)
+std::vector<GhostGrain> MpiExchange::findGhosts(const Grains& owned, const GrainPaths& paths, const PeriodicBox& box)
 {
-    return nscd::findGhosts(tree_, owned, reach, box);
+    return nscd::findGhosts(tree_, owned, paths, box, covered_);
 }
 
 std::vector<int> MpiExchange::connect(const std::vector<GhostGrain>& ghosts)

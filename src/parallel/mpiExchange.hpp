@@ -5,6 +5,7 @@
 #pragma once
 
 #include "nscd/scene/exchange.hpp"
+#include "parallel/ghostSearch.hpp"
 #include "parallel/rankTree.hpp"
 
 namespace nscd
@@ -24,7 +25,8 @@ public:
     void max(double* values, int count) const override { tree_.all().max(values, count); }
     void sumAndMax(double (&sums)[2], double& max) const override { tree_.all().sumAndMax(sums, max); }
 
-    std::vector<GhostGrain> findGhosts(const Grains& owned, const std::vector<double>& reach, const PeriodicBox& box) override;
+    std::vector<GhostGrain> findGhosts(const Grains& owned, const GrainPaths& paths, const PeriodicBox& box) override;
+    bool isAwayFromOthers(const Vec3& center, double size) const override { return covered_.isOfThisRankAlone(center, size); }
     std::vector<int> connect(const std::vector<GhostGrain>& ghosts) override;
     void toGhosts(const std::vector<double>& shared, std::vector<double>& ghosts, int width) const override;
     void toOwners(const std::vector<double>& ghosts, std::vector<double>& shared, int width) const override;
@@ -35,6 +37,7 @@ public:
 
 private:
     RankTree tree_;
+    CoveredBoxes covered_;                ///< at the last search for ghosts
     std::vector<RankCount> owners_;       ///< of this rank's ghosts
     std::vector<RankCount> holders_;      ///< of this rank's grains as ghosts
     std::vector<int> ghostsByOwner_;      ///< in the order of the messages

@@ -30,7 +30,7 @@ struct Connected
     :
         scene(randomScene(300, 3, Ownership::scattered, exchange.tree().all().size())),
         own(scene.grainsOf(exchange.rank())),
-        ghosts(exchange.findGhosts(own, scene.reachOf(exchange.rank()), scene.box))
+        ghosts(exchange.findGhosts(own, scene.pathsOf(exchange.rank()), scene.box))
     {
         const auto byRadius = [](const GhostGrain& a, const GhostGrain& b) { return a.radius < b.radius; };
         std::sort(ghosts.begin(), ghosts.end(), byRadius);

@@ -18,6 +18,9 @@ struct SharedScene
 {
     Grains all;
     std::vector<double> reach;
+    std::vector<Vec3> path;   ///< empty: none
+    Vec3 meanPath = Vec3::Zero();
+    double range = 0.0;
     std::vector<int> owner;
     PeriodicBox box;
 
@@ -47,10 +50,16 @@ struct SharedScene
         return grains;
     }
 
-    std::vector<double> reachOf(int rank) const
+    GrainPaths pathsOf(int rank) const
     {
-        std::vector<double> part;
-        for (int i : of(rank)) part.push_back(reach[i]);
+        GrainPaths part;
+        for (int i : of(rank))
+        {
+            part.slack.push_back(reach[i]);
+            if (!path.empty()) part.path.push_back(path[i]);
+        }
+        part.meanPath = meanPath;
+        part.range = range;
         return part;
     }
 };

@@ -31,7 +31,7 @@ bool isSolvedHere(int here, int other) { return ((here + other) % 2 == 0) == (he
 /// Walls near each body, as candidates that follow the body's pairs.
 std::vector<Candidate> findWalls
 (
-    const ContactList& list, const std::vector<double>& reach, const std::vector<double>& reachToMany, const WallSearch& search, const PeriodicBox& box
+    const ContactList& list, double range, const std::vector<double>& reachToMany, const WallSearch& search, const PeriodicBox& box
 )
 {
     std::vector<Candidate> found;
@@ -42,8 +42,8 @@ std::vector<Candidate> findWalls
     {
         if (list.inverseMass[body] == 0.0) continue;
         regions.clear();
-        const std::vector<Vec3> places = placesOf(list.position[body], reach[body], box);
-        const double distance = list.radius[body] + reach[body];
+        const double reach = list.reach[body] + range, distance = list.radius[body] + reach;
+        const std::vector<Vec3> places = placesOf(list.position[body], reach, box);
         const bool seesOnlyNear = !reachToMany.empty() && std::isfinite(reachToMany[list.grainOf[body]]);
         for (const Vec3& place : places)
         {
@@ -60,41 +60,60 @@ std::vector<Candidate> findWalls
     return found;
 }
 
-/// What the search looks up: spheres around bodies, wrapped into the box, by `shift` periods.
+/// How a body is expected to go.
+struct Track
+{
+    Vec3 start, path;
+    double size;   ///< radius and slack [m]
+};
+
+/// Of own bodies.
+Track trackOf(const ContactList& list, int body)
+{
+    return {list.positionAtBuild[body], list.path.empty() ? Vec3(Vec3::Zero()) : list.path[body], list.radius[body] + list.slack[body]};
+}
+
+Track trackOf(const GhostGrain& ghost) { return {ghost.position, ghost.path, ghost.radius + ghost.slack}; }
+
+/// See mayMeet().
+bool mayMeet(const Track& a, const Track& b, const std::array<signed char, 3>& image, const PeriodicBox& box, double range, double from)
+{
+    Vec3 x = a.start - b.start;
+    for (int axis = 0; axis < 3; ++axis) x[axis] -= image[axis]*box.length[axis];
+    const Vec3 way = a.path - b.path;
+    const double approach = -x.dot(way), way2 = way.squaredNorm();
+    const double share = approach <= from*way2 ? from : approach >= way2 ? 1.0 : approach/way2;
+    const double near = a.size + b.size + 2.0*range;
+    return (x + share*way).squaredNorm() < near*near;
+}
+
+/// What the search looks up: spheres around bodies, wrapped into the box, by `shift`.
 struct SearchSpheres
 {
     std::vector<Vec3> center;
     std::vector<double> size;
-    std::vector<Vec3> shift;   ///< empty: none
+    std::vector<Vec3> shift;   ///< [m]; empty where nothing is periodic
 };
 
 /// Spheres around the middles of paths. Two bodies that may meet, |x + t w| <= radii + slacks + ranges at some t of [0, 1] with w the difference of
-/// their paths, are no further apart than that + |w|/2 at the middle, and |w| <= |path_a - c| + |path_b - c| for any c: the mean here. Ghosts are
-/// bodies without a path, whose slack and range are their reach.
-SearchSpheres spheresOnPaths(const ContactList& list, const std::vector<double>& reach, const PeriodicBox& box, double range)
+/// their paths, are no further apart than that + |w|/2 at the middle, and |w| <= |path_a - c| + |path_b - c| for any c: the mean here.
+SearchSpheres searchSpheres(const ContactList& list, const std::vector<GhostGrain>& ghosts, const PeriodicBox& box, double range)
 {
+    const bool isPeriodic = box.any();
+    const std::size_t number = list.owned() + ghosts.size();
     SearchSpheres spheres;
-    const bool isPeriodic = box.isPeriodic(0) || box.isPeriodic(1) || box.isPeriodic(2);
-    for (int body = 0; body < list.owned(); ++body)
+    spheres.center.reserve(number);
+    spheres.size.reserve(number);
+    spheres.shift.reserve(isPeriodic ? number : 0);
+    const auto add = [&](const Track& track)
     {
-        const Vec3 middle = list.position[body] + 0.5*list.path[body];
+        const Vec3 middle = track.start + 0.5*track.path;
         spheres.center.push_back(box.wrap(middle));
-        spheres.size.push_back(list.radius[body] + range + list.slack[body] + 0.5*(list.path[body] - list.meanPath).norm());
+        spheres.size.push_back(track.size + range + 0.5*(track.path - list.meanPath).norm());
         if (isPeriodic) spheres.shift.push_back(spheres.center.back() - middle);
-    }
-    for (std::size_t ghost = list.owned(); ghost < reach.size(); ++ghost)
-    {
-        spheres.center.push_back(list.position[ghost]);
-        spheres.size.push_back(list.radius[ghost] + reach[ghost] + 0.5*list.meanPath.norm());
-        if (isPeriodic) spheres.shift.push_back(Vec3::Zero());
-    }
-    return spheres;
-}
-
-SearchSpheres spheresAtBodies(const ContactList& list, const std::vector<double>& reach)
-{
-    SearchSpheres spheres{list.position, std::vector<double>(reach.size()), {}};
-    for (std::size_t body = 0; body < reach.size(); ++body) spheres.size[body] = list.radius[body] + reach[body];
+    };
+    for (int body = 0; body < list.owned(); ++body) add(trackOf(list, body));
+    for (const GhostGrain& ghost : ghosts) add(trackOf(ghost));
     return spheres;
 }
 
@@ -125,29 +144,23 @@ std::array<signed char, 3> movedBy(std::array<signed char, 3> image, const Vec3&
 
 bool mayMeet(const ContactList& list, const Candidate& pair, const PeriodicBox& box, double range, double from)
 {
-    Vec3 x = list.positionAtBuild[pair.a] - list.positionAtBuild[pair.b];
-    for (int axis = 0; axis < 3; ++axis) x[axis] -= pair.image[axis]*box.length[axis];
-    Vec3 way = Vec3::Zero();
-    if (!list.path.empty()) way = list.path[pair.a] - list.path[pair.b];
-    const double approach = -x.dot(way), way2 = way.squaredNorm();
-    const double share = approach <= from*way2 ? from : approach >= way2 ? 1.0 : approach/way2;
-    const double near = list.radius[pair.a] + list.radius[pair.b] + list.slack[pair.a] + list.slack[pair.b] + 2.0*range;
-    return (x + share*way).squaredNorm() < near*near;
+    return mayMeet(trackOf(list, pair.a), trackOf(list, pair.b), pair.image, box, range, from);
 }
 
 Candidates findCandidates
 (
-    ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
-    const WallSearch& wallSearch, const std::vector<double>& reachToMany
+    ContactList& list, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene, const WallSearch& wallSearch,
+    const std::vector<double>& reachToMany
 )
 {
     const double range = rangeOfLaws(scene.materials);
     const double largest = list.radius.empty() ? 0.0 : *std::max_element(list.radius.begin(), list.radius.end());
-    const bool arePathsKnown = !list.path.empty();
-    const SearchSpheres spheres = arePathsKnown ? spheresOnPaths(list, reach, scene.box, range) : spheresAtBodies(list, reach);
+    const SearchSpheres spheres = searchSpheres(list, ghosts, scene.box, range);
     const std::vector<BodyPair>& pairs = list.search.find(spheres.center, spheres.size, scene.box, largest, mostPairs(spheres.center.size()));
-    const std::vector<Candidate> walls = findWalls(list, reach, reachToMany, wallSearch, scene.box);
+    const std::vector<Candidate> walls = findWalls(list, range, reachToMany, wallSearch, scene.box);
 
+    const bool arePathsKnown = !list.path.empty();
+    const auto trackOfBody = [&](int body) { return body < list.owned() ? trackOf(list, body) : trackOf(ghosts[body - list.owned()]); };
     Candidates found;
     found.inner.reserve(pairs.size() + walls.size());
     auto wall = walls.begin();
@@ -157,11 +170,10 @@ Candidates findCandidates
         if (pair.a >= list.owned() || (list.inverseMass[pair.a] == 0.0 && list.inverseMass[pair.b] == 0.0)) continue;
         const bool areMoved = !spheres.shift.empty();
         const Candidate candidate{pair.a, pair.b, -1, areMoved ? movedBy(pair.image, spheres.shift[pair.b] - spheres.shift[pair.a], scene.box) : pair.image};
-        if (pair.b < list.owned())
-        {
-            if (!arePathsKnown || mayMeet(list, candidate, scene.box, range, 0.0)) found.inner.push_back(candidate);
-        }
-        else if (isSolvedHere(rank, ghosts[pair.b - list.owned()].owner)) found.interface.push_back(candidate);
+        const bool isInner = pair.b < list.owned();
+        if (!isInner && !isSolvedHere(rank, ghosts[pair.b - list.owned()].owner)) continue;
+        if (arePathsKnown && !mayMeet(trackOfBody(pair.a), trackOfBody(pair.b), candidate.image, scene.box, range, 0.0)) continue;
+        (isInner ? found.inner : found.interface).push_back(candidate);
     }
     found.inner.insert(found.inner.end(), wall, walls.end());
     if (!list.general.empty()) removeWithinBodies(found.inner, list.general);

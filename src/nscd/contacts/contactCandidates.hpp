@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Which bodies could touch before the list is built again.
-// Tested by tests/unit/nscd/contacts/contactListTest.cpp, tests/unit/nscd/scene/wallsTest.cpp
+// Tested by tests/unit/nscd/contacts/contactListTest.cpp, tests/unit/nscd/scene/wallsTest.cpp,
+// tests/parallel/listsByPathsTest.cpp
 #pragma once
 
 #include "nscd/contacts/contactBatching.hpp"
@@ -29,14 +30,14 @@ std::array<signed char, 3> movedBy(std::array<signed char, 3> image, const Vec3&
 /// Whether two own bodies may touch on their paths, or attract each other within `range` each, once they have gone a share `from` of these.
 bool mayMeet(const ContactList& list, const Candidate& pair, const PeriodicBox& box, double range, double from);
 
-/// The list's position, radius and `reach` are those of own bodies and of ghosts; walls have `b` = -1. The list's search is used.
-/// Where paths are expected, pairs with ghosts go by reach all the same. `reachToMany`: of ExpectedMotion.
+/// The list has its own bodies, their paths and slacks, and the radii of `ghosts` behind those of own bodies; walls have `b` = -1. The list's search is
+/// used. `reachToMany`: of ExpectedMotion.
 /// Cost: linear in the number of bodies for any size distribution (one grid per octave of radius + reach).
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 Candidates findCandidates
 (
-    ContactList& list, const std::vector<double>& reach, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene,
-    const WallSearch& wallSearch, const std::vector<double>& reachToMany
+    ContactList& list, const std::vector<GhostGrain>& ghosts, int rank, const Scene& scene, const WallSearch& wallSearch,
+    const std::vector<double>& reachToMany
 );
 
 /// Packs candidates into blocks, near ones into blocks of their own, so that blocks of far ones can be left out of sweeps.

@@ -133,15 +133,15 @@ void updateWall(ContactList& list, const Scene& scene, std::size_t slot, int a)
 
 } // namespace
 
-void updatePairs(ContactList& list, const Scene& scene, std::size_t first)
+void updatePairs(ContactList& list, const Scene& scene, std::size_t first, std::size_t end)
 {
     const std::vector<BodySphere> spheres = gatherSpheres(list);
-    for (std::size_t k = first; k < list.blocks.size(); ++k) updateBlock(list, scene, spheres, k);
+    for (std::size_t k = first; k < end; ++k) updateBlock(list, scene, spheres, k);
 }
 
 void updateGeometry(ContactList& list, const Scene& scene)
 {
-    updatePairs(list, scene, 0);
+    updatePairs(list, scene, 0, list.blocks.size());
     for (std::size_t slot : list.slotsOfWalls) updateWall(list, scene, slot, list.blocks[slot/blockLanes].a[slot % blockLanes]);
     suppressGhosts(list, scene);
 }

@@ -13,7 +13,7 @@ namespace nscd
 /// Errors: std::invalid_argument for coincident centers, naming the grains
 void updateGeometry(ContactList& list, const Scene& scene);
 
-/// The same, of pairs of grains alone, in the blocks from `first` on.
-void updatePairs(ContactList& list, const Scene& scene, std::size_t first);
+/// The same, of pairs of grains alone, in the blocks first .. end - 1.
+void updatePairs(ContactList& list, const Scene& scene, std::size_t first, std::size_t end);
 
 } // namespace nscd

@@ -61,44 +61,53 @@ void addBody(ContactList& list, const Vec3& position, double radius, double inve
     list.id.push_back(id);
 }
 
-void sortBodies(ContactList& list, const Grains& grains, const std::vector<double>& reach, double diameter)
+GrainPaths pathsOfGrains(const std::vector<double>& reach, const ExpectedMotion& expected, double range)
+{
+    GrainPaths paths;
+    paths.range = range;
+    paths.meanPath = expected.time*expected.meanVelocity;
+    paths.path.reserve(expected.velocity.size());
+    for (const Vec3& velocity : expected.velocity) paths.path.push_back(expected.time*velocity);
+    paths.slack.reserve(reach.size());
+    for (std::size_t i = 0; i < reach.size(); ++i) paths.slack.push_back(reach[i] - range - (paths.path.empty() ? 0.0 : paths.path[i].norm()));
+    return paths;
+}
+
+/// Grains of other ranks are anywhere then, about where they are.
+GrainPaths anywhereOn(GrainPaths paths)
+{
+    for (std::size_t i = 0; i < paths.path.size(); ++i) paths.slack[i] += paths.path[i].norm();
+    paths.path.clear();
+    return paths;
+}
+
+void sortBodies(ContactList& list, const Grains& grains, double diameter)
 {
     list.grainOf = mortonOrder(grains.position, diameter);
     reserveBodies(list, list.grainOf.size());
-    list.reach.reserve(list.grainOf.size());
-    for (int i : list.grainOf)
-    {
-        addBody(list, grains.position[i], grains.radius[i], grains.isFixed[i] ? 0.0 : 1.0/grains.mass[i], grains.id[i]);
-        list.reach.push_back(reach[i]);
-    }
+    for (int i : list.grainOf) addBody(list, grains.position[i], grains.radius[i], grains.isFixed[i] ? 0.0 : 1.0/grains.mass[i], grains.id[i]);
     list.positionAtBuild = list.position;
 }
 
-void setPaths(ContactList& list, const ExpectedMotion& expected)
+void setPaths(ContactList& list, const std::vector<double>& reach, const GrainPaths& paths, double time)
 {
-    list.pathTime = expected.time;
-    list.slack = list.reach;
-    if (expected.velocity.empty()) return;
-    list.path.reserve(list.owned());
-    for (int body = 0; body < list.owned(); ++body)
+    list.pathTime = time;
+    list.meanPath = paths.meanPath;
+    list.reach.reserve(list.owned());
+    list.slack.reserve(list.owned());
+    list.path.reserve(paths.path.size());
+    for (int i : list.grainOf)
     {
-        list.path.push_back(expected.time*expected.velocity[list.grainOf[body]]);
-        list.slack[body] -= list.path[body].norm();
-        list.meanPath += list.path[body];
+        list.reach.push_back(reach[i] - paths.range);
+        list.slack.push_back(paths.slack[i]);
+        if (!paths.path.empty()) list.path.push_back(paths.path[i]);
     }
-    list.meanPath /= std::max(1, list.owned());
 }
 
-std::vector<double> addGhosts(ContactList& list, const std::vector<GhostGrain>& ghosts)
+void addGhosts(ContactList& list, const std::vector<GhostGrain>& ghosts)
 {
     reserveBodies(list, list.owned() + ghosts.size());
-    std::vector<double> reach = list.reach;
-    for (const GhostGrain& ghost : ghosts)
-    {
-        addBody(list, ghost.position, ghost.radius, ghost.inverseMass, ghost.id);
-        reach.push_back(ghost.reach);
-    }
-    return reach;
+    for (const GhostGrain& ghost : ghosts) addBody(list, ghost.position, ghost.radius, ghost.inverseMass, ghost.id);
 }
 
 void dropGhosts(ContactList& list)
@@ -205,8 +214,11 @@ void groupWallSlots(ContactList& list, const Scene& scene, const std::vector<Can
 CandidateSlots packSingle(ContactList& list, const Scene& scene, const std::vector<int>& material, const Candidates& candidates, double diameter)
 {
     Batches inner = batchNearAndFar(list, scene, candidates.inner, diameter), interface = batchNearAndFar(list, scene, candidates.interface, diameter);
-    reserveBlocks(list, scene, inner.blocks + interface.blocks);
+    const std::size_t used = inner.blocks + interface.blocks, room = list.areStraysFollowed ? blocksForStrays(used) : 0;
+    reserveBlocks(list, scene, used + room);
     appendBlocks(list, scene, material, candidates.inner, inner);
+    list.freeBlock = list.blocks.size();
+    appendFreeBlocks(list, scene, room);
     list.interfaceBlock = list.blocks.size();
     appendBlocks(list, scene, material, candidates.interface, interface);
     return {std::move(inner.slotOf), std::move(interface.slotOf)};
@@ -238,15 +250,15 @@ ContactList buildContactList
     ContactList list = emptied(std::move(old));
     list.wallReach = std::move(wallReach);
     list.laws = ListLaws(scene.materials);
-    sortBodies(list, scene.grains, reach, diameter);
+    list.areStraysFollowed = expected.areStraysFollowed;
+    sortBodies(list, scene.grains, diameter);
     list.general = listGeneralBodies(scene.grains.clumps, list.grainOf);
     list.general.isThere = areClumpsAnywhere(scene.grains.clumps, exchange);
-    const std::vector<GhostGrain> ghosts = exchange.findGhosts(scene.grains, reach, scene.box);
-    const std::vector<double> reachOfAll = addGhosts(list, ghosts);
-    const double range = rangeOfLaws(scene.materials);
-    if (range > 0.0) std::for_each(list.reach.begin(), list.reach.end(), [range](double& r) { r -= range; });
-    setPaths(list, expected);
-    Candidates candidates = findCandidates(list, reachOfAll, ghosts, exchange.rank(), scene, wallSearch, expected.reachToMany);
+    const GrainPaths paths = pathsOfGrains(reach, expected, rangeOfLaws(scene.materials));
+    setPaths(list, reach, paths, expected.time);
+    const std::vector<GhostGrain> ghosts = exchange.findGhosts(scene.grains, expected.mayBeStopped ? anywhereOn(paths) : paths, scene.box);
+    addGhosts(list, ghosts);
+    Candidates candidates = findCandidates(list, ghosts, exchange.rank(), scene, wallSearch, expected.reachToMany);
     if (exchange.isParallel())
     {
         dropGhosts(list);

@@ -39,7 +39,7 @@ struct ContactList
     std::vector<Vec3> path;                 ///< displacement expected of each within pathTime [m]; empty: none is expected
     std::vector<double> slack;              ///< how far it may be from where its path expects it: reach less path [m]
     std::vector<int> strays;                ///< bodies that went otherwise, and have had another path since; see strays.hpp
-    Vec3 meanPath = Vec3::Zero();           ///< of `path`, when the list was built [m]
+    Vec3 meanPath = Vec3::Zero();           ///< about what grains of all ranks had of it when the list was built [m]
     double pathTime = 0.0;                  ///< [s]
     double age = 0.0;                       ///< time that bodies have moved since the list was built [s]
 
@@ -56,7 +56,8 @@ struct ContactList
 
     // Per slot.
     std::vector<ContactBlock> blocks;
-    std::size_t mostBlocks = 0;             ///< with those that are appended for strays
+    bool areStraysFollowed = false;         ///< so that blocks are kept free for their pairs
+    std::size_t freeBlock = 0;              ///< the first that is free; those up to interfaceBlock are
     std::size_t interfaceBlock = 0;         ///< from this block on contacts join grains of two ranks
     std::vector<double> gap;                ///< [m]
     std::vector<int> wall;                  ///< wall region, or -1 for a pair of grains
@@ -87,9 +88,25 @@ struct ContactList
 
     /// Index of a body's grain; of ghost g: the number of own grains + g.
     int grain(int body) const { return body < owned() ? grainOf[body] : body < halo.firstCopy() ? body : grainOf[ownBody(body)]; }
+    /// How far a body may be from where its path expects it, and this path; of ghosts and copies too [m].
+    double slackOf(int body) const;
+    Vec3 pathOf(int body) const;
     /// The body itself, of a copy the own one.
     int ownBody(int body) const { return body < owned() || body < halo.firstCopy() ? body : halo.copied()[body - halo.firstCopy()]; }
 };
+
+inline double ContactList::slackOf(int body) const
+{
+    const int own = ownBody(body);
+    return own < owned() ? slack[own] : ghosts[own - owned()].slack;
+}
+
+inline Vec3 ContactList::pathOf(int body) const
+{
+    const int own = ownBody(body);
+    if (own >= owned()) return ghosts[own - owned()].path;
+    return path.empty() ? Vec3(Vec3::Zero()) : path[own];
+}
 
 /// Impulse of the slot, on A, without attraction [N s].
 inline Vec3 impulse(const ContactList& list, std::size_t slot)
@@ -133,14 +150,25 @@ struct Scene
 struct ExpectedMotion
 {
     std::vector<Vec3> velocity;   ///< of each grain, or empty [m/s]
+    Vec3 meanVelocity = Vec3::Zero();   ///< of the grains of all ranks, about [m/s]
     double time = 0.0;            ///< [s]
+    bool areStraysFollowed = false;   ///< see strays.hpp
+    bool mayBeStopped = false;    ///< any grain, anywhere on its path, by a wall, or by one that a wall stopped: of interest on several ranks
     /// Of each grain, how far away walls of many regions are listed, if not as far as its reach and the walls' (infinite) [m]; empty: all are.
     std::vector<double> reachToMany;
+
+    /// Grains may be stopped. Where they may leave their paths then (walls take them along), or stay behind by so much that the nearest images of
+    /// paths do not tell who is near (periodic sides), none is expected to move: all may be anywhere within their reaches.
+    void allowForStops(bool mayLeavePaths)
+    {
+        mayBeStopped = true;
+        if (mayLeavePaths) velocity.clear();
+    }
 };
 
 /// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].
-/// A reach is how far a grain may travel before the list is stale, and the range of laws that act across gaps. Where motion is expected, own pairs that do
-/// not come near one another in it are left out, and a grain that moves otherwise, by more than its reach less its path, makes the list stale. `old`: a list whose memory is used again.
+/// A reach is how far a grain may travel before the list is stale, and the range of laws that act across gaps. Where motion is expected, pairs that do
+/// not come near one another in it are left out, but for those of two ranks where grains may be stopped; and a grain that moves otherwise, by more than its reach less its path, makes the list stale. `old`: a list whose memory is used again.
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 ContactList buildContactList
 (

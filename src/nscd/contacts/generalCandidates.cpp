@@ -140,7 +140,7 @@ CandidateSlots packWithGeneral(ContactList& list, const Scene& scene, const std:
     reserveBlocks(list, scene, ofInner.blocks + ofInterface.blocks + ofGeneral.blocks + ofGeneralInterface.blocks);
     CandidateSlots slots{std::vector<std::uint32_t>(candidates.inner.size()), std::vector<std::uint32_t>(candidates.interface.size())};
     appendSome(list, scene, material, inner, ofInner, slots.inner);
-    list.interfaceBlock = list.blocks.size();
+    list.freeBlock = list.interfaceBlock = list.blocks.size();
     appendSome(list, scene, material, interface, ofInterface, slots.interface);
     list.general.firstBlock = list.blocks.size();
     appendSome(list, scene, material, generalInner, ofGeneral, slots.inner);

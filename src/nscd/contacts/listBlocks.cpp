@@ -12,7 +12,7 @@ namespace nscd
 namespace
 {
 
-/// Room for blocks that are appended later: a share of all, and some.
+/// A share of all, and some.
 constexpr std::size_t shareOfStrays = 64, fewestOfStrays = 16;
 
 const ContactPair& coefficients(const std::vector<int>& material, const Scene& scene, const Candidate& candidate)
@@ -46,34 +46,38 @@ std::vector<int> materialOfBodies(const ContactList& list, const Scene& scene)
     return material;
 }
 
+std::size_t blocksForStrays(std::size_t used) { return used/shareOfStrays + fewestOfStrays; }
+
 void reserveBlocks(ContactList& list, const Scene& scene, std::size_t needed)
 {
-    const std::size_t blocks = list.mostBlocks = needed + needed/shareOfStrays + fewestOfStrays;
-    makeRoom(list.blocks, blocks);
-    makeRoom(list.gap, blocks*blockLanes);
-    makeRoom(list.wall, blocks*blockLanes);
-    makeRoom(list.image, blocks*blockLanes);
-    if (scene.materials.anyRestitution()) list.restitution.reserve(blocks*blockLanes);
+    makeRoom(list.blocks, needed);
+    makeRoom(list.gap, needed*blockLanes);
+    makeRoom(list.wall, needed*blockLanes);
+    makeRoom(list.image, needed*blockLanes);
+    if (scene.materials.anyRestitution()) list.restitution.reserve(needed*blockLanes);
 }
 
-void appendBlocks
-(
-    ContactList& list, const Scene& scene, const std::vector<int>& material, const std::vector<Candidate>& candidates, Batches& batches
-)
+void appendFreeBlocks(ContactList& list, const Scene& scene, std::size_t number)
 {
-    const std::size_t before = list.slots(), slots = before + batches.blocks*blockLanes;
-    list.blocks.resize(list.blocks.size() + batches.blocks, emptyBlock(list.staticBody()));
+    const std::size_t slots = list.slots() + number*blockLanes;
+    list.blocks.resize(list.blocks.size() + number, emptyBlock(list.staticBody()));
     list.gap.resize(slots, 0.0);
     list.wall.resize(slots, -1);
     list.image.resize(slots, {0, 0, 0});
     if (scene.materials.anyRestitution()) list.restitution.resize(slots, 0.0);
     list.laws.resize(slots);
-    list.candidates += candidates.size();
+}
 
+void writeCandidates
+(
+    ContactList& list, const Scene& scene, const std::vector<int>& material, const std::vector<Candidate>& candidates, Batches& batches, std::size_t first
+)
+{
+    list.candidates += candidates.size();
     for (std::size_t k = 0; k < candidates.size(); ++k)
     {
         const Candidate& candidate = candidates[k];
-        const std::size_t slot = batches.slotOf[k] += static_cast<std::uint32_t>(before);
+        const std::size_t slot = batches.slotOf[k] += static_cast<std::uint32_t>(first*blockLanes);
         ContactBlock& block = list.blocks[slot/blockLanes];
         block.a[slot % blockLanes] = candidate.a;
         block.b[slot % blockLanes] = candidate.b;
@@ -84,6 +88,16 @@ void appendBlocks
         list.wall[slot] = candidate.wall;
         list.image[slot] = candidate.image;
     }
+}
+
+void appendBlocks
+(
+    ContactList& list, const Scene& scene, const std::vector<int>& material, const std::vector<Candidate>& candidates, Batches& batches
+)
+{
+    const std::size_t first = list.blocks.size();
+    appendFreeBlocks(list, scene, batches.blocks);
+    writeCandidates(list, scene, material, candidates, batches, first);
 }
 
 } // namespace nscd

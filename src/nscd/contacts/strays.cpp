@@ -93,6 +93,9 @@ Sphere restOfPath(const ContactList& list, int body, double range)
     return {list.positionAtBuild[body] + 0.5*(1.0 + gone)*list.path[body], size + 0.5*(1.0 - gone)*list.path[body].norm()};
 }
 
+/// Spheres that the search holds, of this and of other ranks, are of paths less the mean of all.
+double sizeForSearch(const Sphere& sphere, const ContactList& list) { return sphere.size + 0.5*list.meanPath.norm(); }
+
 /// Whether all walls that a stray may reach are listed for it.
 bool areWallsListed(const ContactList& list, int body, double range, const Listed& listed, const Scene& scene, const WallSearch& wallSearch)
 {
@@ -113,7 +116,7 @@ public:
         listed_(listed),
         range_(rangeOfLaws(scene.materials)),
         gone_(shareGone(list)),
-        mostFound_((list.mostBlocks - list.blocks.size())*blockLanes)
+        mostFound_((list.interfaceBlock - list.freeBlock)*blockLanes)
     {}
 
     bool isTooMuch() const { return found.size() > mostFound_; }
@@ -144,7 +147,7 @@ void addWithOthers(ContactList& list, const std::vector<int>& strays, const std:
         if (lacking.isTooMuch()) return;
         const Sphere sphere = restOfPath(list, body, range);
         const Vec3 center = box.wrap(sphere.center);
-        for (const BodyPair& pair : list.search.around(center, sphere.size + 0.5*list.meanPath.norm(), box))
+        for (const BodyPair& pair : list.search.around(center, sizeForSearch(sphere, list), box))
         {
             if (isStray[pair.b]) continue;
             Vec3 middle = list.positionAtBuild[pair.b];
@@ -178,7 +181,8 @@ void addAmongStrays(const ContactList& list, const std::vector<char>& isNew, con
 }
 
 /// Slots that were slow when the list was built may be fast now.
-void addFastPairs(ContactList& list, const std::vector<std::size_t>& slots)
+template<class Slot>
+void addFastPairs(ContactList& list, const std::vector<Slot>& slots)
 {
     std::vector<std::size_t> all;
     all.reserve(list.fastPairs.size() + slots.size());
@@ -194,19 +198,18 @@ bool isWithinPeriods(const Sphere& sphere, const PeriodicBox& box)
     return isWithin;
 }
 
-bool append(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates)
+bool add(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates)
 {
     std::vector<std::uint32_t> order(candidates.size());
     std::iota(order.begin(), order.end(), 0u);
     Batches batches = batchContacts(candidates, order, list.staticBody());
-    const std::size_t first = list.blocks.size();
-    if (first + batches.blocks > list.mostBlocks) return false;
-    appendBlocks(list, scene, materialOfBodies(list, scene), candidates, batches);
-    list.interfaceBlock = list.blocks.size();
+    const std::size_t first = list.freeBlock;
+    if (first + batches.blocks > list.interfaceBlock) return false;
+    writeCandidates(list, scene, materialOfBodies(list, scene), candidates, batches, first);
+    list.freeBlock += batches.blocks;
     std::sort(batches.slotOf.begin(), batches.slotOf.end());
-    list.fastPairs.insert(list.fastPairs.end(), batches.slotOf.begin(), batches.slotOf.end());
-    if (!list.trialChange.empty()) list.trialChange.resize(list.slots(), Vec3::Zero());
-    updatePairs(list, scene, first);
+    addFastPairs(list, batches.slotOf);
+    updatePairs(list, scene, first, list.freeBlock);
     return true;
 }
 
@@ -227,7 +230,10 @@ std::vector<int> findStrays(const ContactList& list, double deltaT, std::size_t 
 
 bool isWithinTime(const ContactList& list, double deltaT) { return list.path.empty() || list.age + deltaT <= list.pathTime*(1.0 + 1e-9); }
 
-bool followStrays(ContactList& list, const std::vector<int>& strays, const Scene& scene, const WallSearch& wallSearch, double deltaT)
+bool followStrays
+(
+    ContactList& list, const std::vector<int>& strays, const Scene& scene, const WallSearch& wallSearch, const Exchange& exchange, double deltaT
+)
 {
     const double range = rangeOfLaws(scene.materials);
     for (int body : strays) turn(list, body, deltaT);
@@ -241,21 +247,23 @@ bool followStrays(ContactList& list, const std::vector<int>& strays, const Scene
     Listed listed = listedOf(list, isNew);
     for (int body : strays)
     {
-        if (!Vec3(list.bodies[body].v).allFinite() || !isWithinPeriods(restOfPath(list, body, range), scene.box)) return false;
+        if (!Vec3(list.bodies[body].v).allFinite()) return false;
+        const Sphere sphere = restOfPath(list, body, range);
+        if (!isWithinPeriods(sphere, scene.box) || !exchange.isAwayFromOthers(scene.box.wrap(sphere.center), sizeForSearch(sphere, list))) return false;
         if (list.inverseMass[body] != 0.0 && !areWallsListed(list, body, range, listed, scene, wallSearch)) return false;
     }
     Lacking lacking(list, scene, listed);
     addWithOthers(list, strays, isStray, scene.box, range, lacking);
     addAmongStrays(list, isNew, scene.box, range, lacking);
     addFastPairs(list, listed.slotsOfPairs);
-    return lacking.found.empty() || append(list, scene, lacking.found);
+    return lacking.found.empty() || add(list, scene, lacking.found);
 }
 
 bool doAnyTouch(const ContactList& list, const Scene& scene, std::size_t first, double deltaT)
 {
     constexpr double near = 1e-3;   // in radii: what passes so near may be held to touch
     const double range = rangeOfLaws(scene.materials);
-    for (std::size_t slot = first*blockLanes; slot < list.slots(); ++slot)
+    for (std::size_t slot = first*blockLanes; slot < list.freeBlock*blockLanes; ++slot)
     {
         if (!list.isUsed(slot)) continue;
         const int a = list.blocks[slot/blockLanes].a[slot % blockLanes], b = list.blocks[slot/blockLanes].b[slot % blockLanes];

@@ -151,6 +151,15 @@ void Halo::takeSmallest(std::vector<double>& perBody) const
     for (std::size_t k = 0; k < shared_.size(); ++k) take(shared_[k], toOthers_[k]);
 }
 
+void Halo::takeLargest(std::vector<double>& perBody) const
+{
+    if (!exchange_) return;
+    const auto negate = [&] { std::transform(perBody.begin(), perBody.end(), perBody.begin(), [](double value) { return -value; }); };
+    negate();
+    takeSmallest(perBody);
+    negate();
+}
+
 void Halo::giveFlags(std::vector<std::uint8_t>& perBody) const
 {
     if (!exchange_) return;
@@ -165,10 +174,9 @@ void Halo::giveFlags(std::vector<std::uint8_t>& perBody) const
 void Halo::takeFlags(std::vector<std::uint8_t>& perBody) const
 {
     if (!exchange_) return;
-    std::vector<double> negative(perBody.size());
-    std::transform(perBody.begin(), perBody.end(), negative.begin(), [](std::uint8_t flag) { return -double(flag); });
-    takeSmallest(negative);
-    std::transform(negative.begin(), negative.end(), perBody.begin(), [](double value) { return value < 0.0; });
+    std::vector<double> values(perBody.begin(), perBody.end());
+    takeLargest(values);
+    std::transform(values.begin(), values.end(), perBody.begin(), [](double value) { return value > 0.0; });
 }
 
 double Halo::sum(double value) const

@@ -52,8 +52,9 @@ public:
     /// Adds ghosts' and copies' entries to their owners'.
     void take(std::vector<Vec3>& perBody) const;
 
-    /// Makes owners' entries the smallest of theirs and of those of their ghosts and copies.
+    /// Makes owners' entries the smallest, or largest, of theirs and of those of their ghosts and copies.
     void takeSmallest(std::vector<double>& perBody) const;
+    void takeLargest(std::vector<double>& perBody) const;
 
     /// Overwrites ghosts' and copies' flags with their owners'; sets owners' flags where one of theirs is set.
     void giveFlags(std::vector<std::uint8_t>& perBody) const;

@@ -13,12 +13,22 @@
 namespace nscd
 {
 
+/// Where grains may be until lists are stale.
+struct GrainPaths
+{
+    std::vector<double> slack;         ///< of each, how far from where its path expects it [m]
+    std::vector<Vec3> path{};          ///< displacement expected of each; empty: none [m]
+    Vec3 meanPath = Vec3::Zero();      ///< about what the grains of all ranks have; the same on all [m]
+    double range = 0.0;                ///< of laws that act across gaps, of each [m]
+};
+
 /// A grain of another rank that could touch one of this rank.
 struct GhostGrain
 {
     Vec3 position;         ///< in the periodic box [m]
+    Vec3 path;             ///< displacement expected of it before lists are stale [m]
     double radius;         ///< [m]
-    double reach;          ///< distance it may travel before lists are stale [m]
+    double slack;          ///< how far it may be from where its path expects it [m]
     double inverseMass;    ///< 0 where held [1/kg]
     std::int64_t id;
     int material;
@@ -52,12 +62,16 @@ public:
     /// Two sums and a maximum in one go.
     virtual void sumAndMax(double (&/*sums*/)[2], double& /*max*/) const {}
 
-    /// Grains of other ranks whose spheres of radius + reach may meet one of this rank's, in a periodic image perhaps: all that
-    /// do, and others nearby. In an order that is the same from run to run.
-    virtual std::vector<GhostGrain> findGhosts(const Grains& /*owned*/, const std::vector<double>& /*reach*/, const PeriodicBox&)
+    /// Grains of other ranks that may come within radii, slacks and ranges of one of this rank's on their paths, in a periodic image perhaps:
+    /// all that do, and others nearby. In an order that is the same from run to run.
+    virtual std::vector<GhostGrain> findGhosts(const Grains& /*owned*/, const GrainPaths&, const PeriodicBox&)
     {
         return {};
     }
+
+    /// Whether a sphere around a place in the box lies within what the paths of this rank's grains cover, and off those of other ranks' grains, as
+    /// findGhosts() saw them last. Two such spheres of two ranks do not meet. Not collective.
+    virtual bool isAwayFromOthers(const Vec3& /*center*/, double /*size*/) const { return true; }
 
     /// Sets up toGhosts() and toOwners() for `ghosts`, in this order. Returns this rank's own grains that others hold as ghosts,
     /// one entry for each rank that does, in the order of their values in toGhosts().

@@ -54,18 +54,19 @@ public:
     void complete(SolveReport&, const StopRule&) {}
 
 private:
-    /// Counts for each body the contacts that carry an impulse or would.
+    /// Counts for each body the contacts that are closed, carry an impulse, or get one now: those that stay without one do not change W's bound.
     void countLoaded()
     {
         std::fill(loaded_.begin(), loaded_.end(), 0);
-        for (const ContactBlock& block : problem_.blocks)
+        for (std::size_t slot = 0; slot < problem_.blocks.size()*blockLanes; ++slot)
         {
-            for (int lane = 0; lane < blockLanes; ++lane)
-            {
-                if (!isUsed(block, lane) || !(block.bias[lane] == 0.0 || isLoaded(block, lane))) continue;
-                ++loaded_[block.a[lane]];
-                ++loaded_[block.b[lane]];
-            }
+            const ContactBlock& block = problem_.blocks[slot/blockLanes];
+            const int lane = slot % blockLanes;
+            if (!isUsed(block, lane)) continue;
+            const bool counts = block.bias[lane] == 0.0 || isLoaded(block, lane) || localChange(problem_, slot, 1.0, 1.0).defect > 0.0;
+            if (!counts) continue;
+            ++loaded_[block.a[lane]];
+            ++loaded_[block.b[lane]];
         }
     }
 

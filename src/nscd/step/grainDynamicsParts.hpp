@@ -49,6 +49,7 @@ struct GrainDynamics::Implementation
     bool isAnyFast = false;            // of grains, on any rank: outlined walls on their ways are looked for
     std::vector<int> atMissedWalls;    // own bodies that have come to walls which the list lacks
     std::vector<double> reachToMany;   // of the list
+    bool areManyLeftOut = false;       // by it, on any rank
 
     ContactList list;             // while grains sleep: the part of it that is awake
     bool isListStale = true;
@@ -93,9 +94,10 @@ struct GrainDynamics::Implementation
 
     void measureGrains();
     void makeWallSearch();
-    /// What a list needs for a step: nothing more; with candidates that were appended, the contacts of these solved too; or to be built anew.
-    enum class Coverage { whole, mended, none };
+    /// What a list needs for a step: nothing more; with candidates that were added, the contacts of these solved too; or to be built anew.
+    enum class Coverage { whole, mended, none };   // the worse the larger
     Coverage coverOrMend();
+    Coverage coverHere();
     bool mayFollowStrays() const;
     bool coversStep() const { return coversMotion(list, deltaT, movingWalls.areCovered(list) && atMissedWalls.empty()); }
     double skinOfGrain() const { return 0.5*settings.skin*diameter; }
@@ -110,6 +112,7 @@ struct GrainDynamics::Implementation
     void refuseBeyondPeriods(const std::vector<Vec3>& velocity, const Vec3& mean) const;
     ListPlan planList(const std::vector<Vec3>& velocity, double margin) const;
     std::vector<double> fallsBeyondSkin() const;
+    std::vector<char> areNearOthers() const;
     void fitStepsPerList();
     void chooseKernelsOfStep();
     SolveReport solveVelocities(const ExternalForces& external);

@@ -24,8 +24,6 @@ constexpr double mostStepsPerList = 64.0;
 /// Candidates a grain above which lists are made for less scatter of grains, until they are fewer than the lower number. In a bed that bubbles lists of 11 a
 /// grain became ones of 6, one in each step in place of one in one or two, and the grains' part of the step took 0.6 of the time.
 constexpr double manyOfLongLists = 8.0, fewOfLongLists = 4.0;
-/// The same on several ranks, where lists by paths cost more than by speeds until these are that long: the bed that bubbles takes 1.1 times the time so.
-constexpr double manyOfLongListsOnRanks = 24.0;
 
 void refuseBesideLaws(const ContactSettings& settings, const Materials& materials, bool areDiscs)
 {
@@ -47,8 +45,7 @@ void GrainDynamics::Implementation::fitStepsPerList()
     exchange->sum(sums, 2);
     if (sums[0] < fewCandidates*sums[1]) stepsPerList = std::min(2.0*stepsPerList, mostStepsPerList);
     else if (sums[0] > manyCandidates*sums[1]) stepsPerList = std::max(0.5*stepsPerList, fewestStepsPerList);
-    const double many = exchange->isParallel() ? manyOfLongListsOnRanks : manyOfLongLists;
-    areListsLong = sums[0] > (areListsLong ? fewOfLongLists : many)*sums[1];
+    areListsLong = sums[0] > (areListsLong ? fewOfLongLists : manyOfLongLists)*sums[1];
 }
 
 void GrainDynamics::Implementation::chooseKernelsOfStep()

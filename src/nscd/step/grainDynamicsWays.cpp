@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // How far lists have to look, and steps in which grains may go through outlined walls, if nobody looks.
-// Tested by tests/unit/nscd/step/stopsOnWayTest.cpp, tests/unit/nscd/step/fastFlowTest.cpp
+// Tested by tests/unit/nscd/step/stopsOnWayTest.cpp, tests/unit/nscd/step/fastFlowTest.cpp, tests/parallel/listsByPathsTest.cpp
 #include "nscd/step/grainDynamicsParts.hpp"
 
 #include "nscd/base/formattedText.hpp"
@@ -58,13 +58,10 @@ ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& veloci
     const double time = stepsPerList*deltaT;
     const Vec3 mean = Vec3(sums[2], sums[3], sums[4])/number;
     if (margin == 1.0 && box.any()) refuseBeyondPeriods(velocity, mean);
-    // Pairs on two ranks are listed by reach alone, so that longer ones would cost more there: there paths are for lists that became long by speeds; and where
-    // nothing is periodic, as the middles of long paths and ghosts may be several periods apart.
-    if (exchange->isParallel() && (!areListsLong || isListStale || margin > widestMargin || box.any())) return planBySpeeds(velocity, commonSpeed, time, margin);
     // Over many steps grains do not fly straight, nor where impacts were far from what was foreseen.
     if (margin <= widestMargin && !isListStale && stepsPerList == fewestStepsPerList)
     {
-        return planByPaths(list, velocity, diameter, deltaT, {fallsBeyondSkin(), margin, areListsLong, mayFollowStrays()});
+        return planByPaths(list, velocity, mean, diameter, deltaT, {fallsBeyondSkin(), margin, areListsLong, mayFollowStrays(), areNearOthers()});
     }
     if (deltaT*mean.norm() <= fastFlow*diameter) return planBySpeeds(velocity, commonSpeed, time, margin);
     return planAroundMean(velocity, mean, std::sqrt(std::max(0.0, sums[0]/number - mean.squaredNorm())), time, margin);
@@ -78,23 +75,44 @@ std::vector<double> GrainDynamics::Implementation::fallsBeyondSkin() const
     return beyond;
 }
 
-/// Where lists are long, a new one costs much. Not where other ranks would have to know, where walls move, or where laws act by the impulses at the start of a step.
+/// Where lists are long, a new one costs much. Not where walls move, or where laws act by the impulses at the start of a step. The same on all ranks.
 bool GrainDynamics::Implementation::mayFollowStrays() const
 {
-    return areListsLong && !exchange->isParallel() && !sleep.any() && grains.clumps.empty() && list.wallReach.empty() && !list.laws.areOfStart();
+    return areListsLong && !sleep.any() && list.general.empty() && list.wallReach.empty() && !list.laws.areOfStart();
+}
+
+/// Of grains: empty where strays are not followed anyway. A diameter is about what strays go beyond what the last list held.
+std::vector<char> GrainDynamics::Implementation::areNearOthers() const
+{
+    std::vector<char> areNear;
+    if (!exchange->isParallel() || !mayFollowStrays()) return areNear;
+    for (const Vec3& x : grains.position) areNear.push_back(!exchange->isAwayFromOthers(box.wrap(x), diameter));
+    return areNear;
+}
+
+/// What ranks do each for itself.
+GrainDynamics::Implementation::Coverage GrainDynamics::Implementation::coverHere()
+{
+    const std::size_t most = static_cast<std::size_t>(mostStrays*static_cast<double>(grains.size())) + fewStrays, first = list.freeBlock;
+    const std::vector<int> strays = findStrays(list, deltaT, most);
+    if (strays.empty()) return Coverage::whole;
+    if (strays.size() > most || !isWithinTime(list, deltaT)) return Coverage::none;
+    if (!followStrays(list, strays, scene(), *wallSearch, *exchange, deltaT) || list.strays.size() > most) return Coverage::none;
+    if (areWallsOutlined) isAnyFast = isAnyFast || areAnyFast(list, strays);
+    return doAnyTouch(list, scene(), first, deltaT) ? Coverage::mended : Coverage::whole;
 }
 
 GrainDynamics::Implementation::Coverage GrainDynamics::Implementation::coverOrMend()
 {
     const auto timer = times.time(GrainPart::findPairs);
-    if (!mayFollowStrays() || !reachToMany.empty()) return coversStep() ? Coverage::whole : Coverage::none;
-    const std::size_t most = static_cast<std::size_t>(mostStrays*static_cast<double>(grains.size())) + fewStrays, blocks = list.blocks.size();
-    const std::vector<int> strays = findStrays(list, deltaT, most);
-    if (strays.empty()) return Coverage::whole;
-    if (strays.size() > most || !isWithinTime(list, deltaT)) return Coverage::none;
-    if (!followStrays(list, strays, scene(), *wallSearch, deltaT) || list.strays.size() > most) return Coverage::none;
-    if (areWallsOutlined) isAnyFast = isAnyFast || areAnyFast(list, strays);
-    return doAnyTouch(list, scene(), blocks, deltaT) ? Coverage::mended : Coverage::whole;
+    if (!mayFollowStrays() || areManyLeftOut) return coversStep() ? Coverage::whole : Coverage::none;
+    const bool wasAnyFast = isAnyFast;
+    double worst[2] = {static_cast<double>(coverHere()), isAnyFast ? 1.0 : 0.0};
+    list.halo.max(worst, 2);
+    isAnyFast = worst[1] > 0.0;
+    // Where grains may be stopped, pairs of two ranks are listed otherwise.
+    if (exchange->isParallel() && !wasAnyFast && worst[1] > 0.0) return Coverage::none;
+    return static_cast<Coverage>(static_cast<int>(worst[0]));
 }
 
 WallsOfStep GrainDynamics::Implementation::wallsOfStep() const
@@ -105,11 +123,16 @@ WallsOfStep GrainDynamics::Implementation::wallsOfStep() const
 
 void GrainDynamics::Implementation::lookForFast(const ListPlan& plan, const std::vector<double>& reach, const std::vector<WallReach>& wallReach)
 {
-    double isAny = areAnyFast(grains, reach, wallReach) ? 1.0 : 0.0;
-    exchange->max(&isAny, 1);
-    isAnyFast = isAny > 0.0;
+    const auto isOnAnyRank = [&](bool isHere)
+    {
+        double value = isHere ? 1.0 : 0.0;
+        exchange->max(&value, 1);
+        return value > 0.0;
+    };
+    isAnyFast = isOnAnyRank(areAnyFast(grains, reach, wallReach));
     atMissedWalls.clear();
     reachToMany = isAnyFast ? reachesToMany(grains, *wallSearch, plan.speed, deltaT, reachAtRest()) : std::vector<double>();
+    areManyLeftOut = isAnyFast && isOnAnyRank(!reachToMany.empty());
 }
 
 double GrainDynamics::Implementation::moveBodies(StepReport& report)

@@ -23,11 +23,12 @@ struct OffPaths
     double margin = 1.0;    ///< what impacts may be exceeded by [-]
     bool areListsLong = false;    ///< many candidates a grain so far: fewer then, for fewer steps and for impacts by the time that is left after them
     bool areStraysFollowed = false;    ///< the few grains that go otherwise cost no list: what is allowed for may be less, and lasts for whole steps
+    std::vector<char> isNearOthers = {};    ///< of each grain, whether grains of other ranks may be so near that it is not followed; empty: none is
 };
 
 /// For grains that go on as they do, and impacts that may throw them off their paths: from the candidates of the list so far.
-/// `velocity`: of each grain [m/s]; `diameter`: mean [m].
-ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity, double diameter, double deltaT, const OffPaths& off);
+/// `velocity`: of each grain; `mean`: of those of all ranks [m/s]; `diameter`: mean [m]. Collective.
+ListPlan planByPaths(const ContactList& list, const std::vector<Vec3>& velocity, const Vec3& mean, double diameter, double deltaT, const OffPaths& off);
 
 /// For grains that fly together, first of all: each moves with the mean velocity, give or take how much faster it is than that, or all are in the
 /// mean (rms), since any may be hit. Pairs through a periodic side that the flow crosses several times a step are else listed for each of its images.

@@ -39,9 +39,6 @@ void findFastPairs(ContactList& list)
 {
     list.fastPairs.clear();
     list.aimedPairs.clear();
-    const auto slack = [&list](int body) { return body < list.owned() ? list.slack[body] : 0.0; };
-    const Vec3 none = Vec3::Zero();
-    const auto path = [&](int body) -> const Vec3& { return body < list.owned() && !list.path.empty() ? list.path[body] : none; };
     // A member of a general body does not fly straight.
     const std::size_t ofSingleGrains = list.general.empty() ? list.slots() : list.general.firstBlock*blockLanes;
     for (std::size_t slot = 0; slot < ofSingleGrains; ++slot)
@@ -49,9 +46,8 @@ void findFastPairs(ContactList& list)
         if (!list.isUsed(slot) || list.wall[slot] >= 0) continue;
         const int a = list.blocks[slot/blockLanes].a[slot % blockLanes], b = list.blocks[slot/blockLanes].b[slot % blockLanes];
         const double fast = fastShare*(list.radius[a] + list.radius[b]);
-        const double left = fast - slack(a) - slack(b);
-        const bool isPathUnknown = !list.path.empty() && std::max(a, b) >= list.owned();   // a ghost's
-        const bool isFast = isPathUnknown || left < 0.0 || (path(a) - path(b)).squaredNorm() > left*left || list.gap[slot] > fast;
+        const double left = fast - list.slackOf(a) - list.slackOf(b);
+        const bool isFast = left < 0.0 || (list.pathOf(a) - list.pathOf(b)).squaredNorm() > left*left || list.gap[slot] > fast;
         if (isFast) list.fastPairs.push_back(slot);
     }
 }

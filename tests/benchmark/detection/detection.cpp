@@ -116,7 +116,7 @@ void measure(const char* name, Rebuild rebuild)
     const double largest = *std::max_element(grains.radius.begin(), grains.radius.end());
     const double sort = shortest([&]() { nscd::mortonOrder(grains.position, rebuild.diameter); });
     const double search = shortest([&]() { list.search.find(list.position, size, rebuild.scene.box, largest); });
-    const nscd::Candidates found = nscd::findCandidates(list, list.reach, {}, 0, rebuild.parts(), rebuild.wallSearch, {});
+    const nscd::Candidates found = nscd::findCandidates(list, {}, 0, rebuild.parts(), rebuild.wallSearch, {});
     std::vector<nscd::Candidate> candidates = found.inner;
     for (nscd::Candidate& c : candidates)
     {

@@ -107,6 +107,7 @@ TEST(Program, stopsAtTimeControlsThatAreNotPositive)
 {
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "deltaT 0;"), {"system/controlDict", "deltaT"}));
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "deltaT -1e-3;"), {"system/controlDict", "deltaT"}));
+    EXPECT_TRUE(isRefused(ProgramCase(Files(), "deltaT 0.0101;"), {"system/controlDict", "deltaT", "at most endTime, 0.01"}));
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "endTime 7e77;"), {"system/controlDict", "keyword endTime is too large"}));
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "writeControl runTime; writeInterval -1;"), {"controlDict", "writeInterval"}));
     EXPECT_TRUE(isRefused(ProgramCase(Files(), "adjustTimeStep yes; maxDeltaT -1;"), {"controlDict", "maxDeltaT"}));
@@ -220,7 +221,7 @@ TEST(Program, stopsInWordsAtAControlDictEditedWhileItRuns)
     const std::vector<std::pair<std::string, std::string>> edits =
     {
         {"writeInterval", "writeControl adjustableRunTime; writeInterval 0;"}, {"writeInterval", "writeControl runTime; writeInterval -1;"},
-        {"deltaT", "deltaT 0;"}, {"maxCo", "adjustTimeStep yes; maxCo -1;"}
+        {"deltaT", "deltaT 0;"}, {"deltaT", "deltaT 20000;"}, {"maxCo", "adjustTimeStep yes; maxCo -1;"}
     };
     for (const auto& [keyword, edit] : edits)
     {

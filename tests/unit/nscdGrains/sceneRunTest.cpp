@@ -269,6 +269,23 @@ TEST_F(SceneRuns, writeWhatParaViewReads)
     EXPECT_NE(result("scene", "report.csv").find("\ntime,deltaT,grains,contacts,sweeps,converged,residualRms"), std::string::npos);
 }
 
+/// Contacts that close at once at one grain, none of which carries an impulse yet: steps that do not reckon with all of them grow without end.
+TEST_F(SceneRuns, ofGrainsShotOverABeltAreSolvedByProjectedGradients)
+{
+    writeScene
+    (
+        "shots",
+        "deltaT 2.0755e-05; endTime 0.000477365; gravity (0 0 0); materials { steel { density 175.974; } }\n"
+        "contacts { default { friction 2; restitution 0.3; } }\n"
+        "grains { type lattice; box (0 0 0) (0.0462449 0.0346837 0.0115612); count (4 3 1); diameter 0.00584237; spread 0.666667; jitter 0.5;"
+        " seed 281668; velocity (-21.3103 -24.8001 0); omega (0 0 -2.52808); }\n"
+        "walls { tray { type box; box (0 0 0) (0.0462449 0.0346837 0.0368164); sides (xMin xMax yMin yMax zMin zMax); }\n"
+        "        belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (46.9153 0 0); } }\n"
+        "solver { type APG; maxSweeps 1000; }\n"
+    );
+    EXPECT_EQ(failure("shots"), "");
+}
+
 TEST(SceneRanks, areRefused)
 {
     EXPECT_NO_THROW(nscdGrains::refuseRanks());

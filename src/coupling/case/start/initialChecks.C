@@ -79,7 +79,7 @@ void refuseOverlaps
     nscd::Exchange& exchange
 )
 {
-    const std::vector<nscd::GhostGrain> ghosts = exchange.findGhosts(grains, std::vector<double>(grains.size(), 0.0), box);
+    const std::vector<nscd::GhostGrain> ghosts = exchange.findGhosts(grains, {std::vector<double>(grains.size(), 0.0)}, box);
     const nscd::Grains all = withGhosts(grains, ghosts);
     std::vector<Overlap> overlaps = grainOverlaps(all, box, maxShare);
     dropPairsOfOthers(overlaps, grains.size(), ghosts, exchange.rank());
@@ -148,8 +148,9 @@ void checkTimeControls(const dictionary& controlDict)
     toldByFoam([&]
     {
         control.refuseMisspelt({"deltaT", "endTime", "writeInterval", "adjustTimeStep", "maxCo", "maxDeltaT"});
-        control.number("deltaT", duration);
+        const scalar deltaT = control.number("deltaT", duration);
         const scalar end = control.number("endTime", input::anyNumber(input::unit::time), 0);
+        if (end > 0 && deltaT > end) control.reject("deltaT", "is longer than all of the run", input::textOf("at most endTime, ", end));
         const scalar interval = control.number("writeInterval", duration, GREAT);
         const bool countsSteps = !control.found("writeControl") || control.text("writeControl") == "timeStep";
         if (!countsSteps && end/interval > labelMax)

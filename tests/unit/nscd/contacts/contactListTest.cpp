@@ -30,6 +30,7 @@ struct Listed
         nscd::ExpectedMotion expected;
         expected.time = time;
         if (isExpected) expected.velocity = scene.grains.velocity;
+        for (const Vec3& v : scene.grains.velocity) expected.meanVelocity += v/static_cast<double>(scene.grains.size());
         nscd::Exchange alone;
         const nscd::Scene parts{scene.grains, scene.materials, scene.walls, scene.box};
         std::vector<double> reaches;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Lists that are mended for strays against all pairs that may meet, and steps on such lists.
+#include "nscd/contacts/listBlocks.hpp"
 #include "nscd/contacts/strays.hpp"
 #include "nscd/step/sweptPairs.hpp"
 #include "unit/nscd/scenes/lists.hpp"
@@ -27,6 +28,8 @@ nscd::ContactList listByPaths(const Scene& scene)
     nscd::ExpectedMotion expected;
     expected.velocity = scene.grains.velocity;
     expected.time = pathTime;
+    for (const Vec3& v : scene.grains.velocity) expected.meanVelocity += v/static_cast<double>(scene.grains.size());
+    expected.areStraysFollowed = true;
     nscd::ContactList list = nscd::buildContactList(partsOf(scene), wallSearch, reach, {}, meanDiameter(scene), alone, nscd::ContactList(), expected);
     nscd::updateGeometry(list, partsOf(scene));
     for (int body = 0; body < list.owned(); ++body)
@@ -43,10 +46,17 @@ void move(nscd::ContactList& list, double deltaT)
     list.age += deltaT;
 }
 
-bool follow(nscd::ContactList& list, const std::vector<int>& strays, const Scene& scene)
+bool follow(nscd::ContactList& list, const std::vector<int>& strays, const Scene& scene, const nscd::Exchange& exchange = nscd::Exchange())
 {
     const nscd::WallSearch wallSearch(scene.walls, 2*meanDiameter(scene));
-    return nscd::followStrays(list, strays, partsOf(scene), wallSearch, 0.5*pathTime);
+    return nscd::followStrays(list, strays, partsOf(scene), wallSearch, exchange, 0.5*pathTime);
+}
+
+/// Strays that are many have no room otherwise.
+void makeRoom(nscd::ContactList& list, const Scene& scene, std::size_t blocks)
+{
+    nscd::appendFreeBlocks(list, partsOf(scene), blocks);
+    list.interfaceBlock = list.blocks.size();
 }
 
 Vec3 randomVelocity(double speed, std::mt19937& random)
@@ -126,7 +136,7 @@ TEST(Strays, meetAllThatTheyMayMeetOnTheirNewPaths)
     {
         const Scene scene = flyingCloud(300, 0.02, random);
         nscd::ContactList list = listByPaths(scene);
-        list.mostBlocks += 10*list.blocks.size();   // so many strays have no room otherwise
+        makeRoom(list, scene, 10*list.blocks.size());
         const auto before = pairsOf(list);
         move(list, age);
         // One body in ten, in two turns: of the second those of the first are strays too.
@@ -170,7 +180,6 @@ TEST(Strays, areAppendedWithTheirGeometryAsFastPairs)
     EXPECT_EQ(list.blocks[slot/nscd::blockLanes].friction[slot % nscd::blockLanes], 0.3);
     EXPECT_EQ(list.restitution[slot], 0.5);
     EXPECT_EQ(list.fastPairs, std::vector<std::size_t>{slot});
-    EXPECT_EQ(list.interfaceBlock, list.blocks.size());
     // They touch after 1.6 s.
     EXPECT_FALSE(nscd::doAnyTouch(list, partsOf(scene), 0, 1.5));
     EXPECT_TRUE(nscd::doAnyTouch(list, partsOf(scene), 0, 1.7));
@@ -204,7 +213,7 @@ TEST(Strays, withoutPathsMayGoAnywhereAsFast)
     std::mt19937 random(4);
     Scene scene = flyingCloud(300, 0.0, random);
     nscd::ContactList list = listContacts(scene, reach);
-    list.mostBlocks += list.blocks.size();
+    makeRoom(list, scene, list.blocks.size());
     const auto before = pairsOf(list);
     std::vector<int> strays;
     for (int body = 0; body < list.owned(); body += 10)
@@ -239,12 +248,12 @@ TEST(Strays, thatReachFurtherThanHalfAPeriodOrNowhereAreNotFollowed)
     for (const double speed : {1.0/pathTime, std::numeric_limits<double>::quiet_NaN()})
     {
         nscd::ContactList list = listByPaths(scene);
-        list.mostBlocks += 100;
+        makeRoom(list, scene, 100);
         setVelocity(list, 3, Vec3(0, speed, 0));
         ASSERT_EQ(nscd::findStrays(list, 0.5*pathTime, 20), std::vector<int>{bodyOf(list, 3)});
         EXPECT_FALSE(follow(list, {bodyOf(list, 3)}, scene));
         nscd::ContactList withoutPaths = listContacts(scene, slack);
-        withoutPaths.mostBlocks += 100;
+        makeRoom(withoutPaths, scene, 100);
         setVelocity(withoutPaths, 3, Vec3(0, speed, 0));
         EXPECT_FALSE(follow(withoutPaths, {bodyOf(withoutPaths, 3)}, scene));
     }
@@ -258,6 +267,22 @@ TEST(Strays, forWhichThereIsNoRoomNeedAList)
     setVelocity(list, 0, Vec3(15, 0, 0));   // meets all others, each in a block of its own
     EXPECT_FALSE(follow(list, {bodyOf(list, 0)}, scene));
     EXPECT_EQ(list.candidates, 0);
+}
+
+TEST(Strays, nearGrainsOfOtherRanksNeedAList)
+{
+    struct Neighbors : nscd::Exchange
+    {
+        bool isAwayFromOthers(const Vec3& center, double size) const override { return center.x() + size < 1.0; }
+    };
+    Scene scene(3, 0.3, 0.0);
+    scene.addGrain(Vec3::Zero(), 0.1);
+    nscd::ContactList list = listByPaths(scene);
+    const double most = (1.0 - 0.1 - slack)/pathTime;
+    setVelocity(list, 0, Vec3(0.99*most, 0, 0));
+    EXPECT_TRUE(follow(list, {0}, scene, Neighbors()));
+    setVelocity(list, 0, Vec3(1.01*most, 0, 0));
+    EXPECT_FALSE(follow(list, {0}, scene, Neighbors()));
 }
 
 TEST(Strays, thatComeToOtherWallsNeedAList)

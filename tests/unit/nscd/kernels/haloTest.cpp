@@ -50,12 +50,14 @@ TEST(Halo, numbersOwnBodiesGhostsAndCopies)
     EXPECT_EQ(rank.halo.parts(7), 2.0);
 }
 
-TEST(Halo, takesTheSmallest)
+TEST(Halo, takesTheSmallestAndTheLargest)
 {
     const Rank rank;
-    std::vector<double> values = {1, 2, 3, 4, 5, 1.5, 7, 3.5};
-    rank.halo.takeSmallest(values);
-    EXPECT_EQ(std::vector<double>(values.begin(), values.begin() + 5), (std::vector<double>{1, 1.5, 3, 3.5, 5}));
+    std::vector<double> smallest = {1, 2, 3, 4, 5, 1.5, 7, 3.5}, largest = smallest;
+    rank.halo.takeSmallest(smallest);
+    rank.halo.takeLargest(largest);
+    EXPECT_EQ(std::vector<double>(smallest.begin(), smallest.begin() + 5), (std::vector<double>{1, 1.5, 3, 3.5, 5}));
+    EXPECT_EQ(std::vector<double>(largest.begin(), largest.begin() + 5), (std::vector<double>{1, 2, 3, 7, 5}));
 }
 
 TEST(Halo, ghostsAndCopiesMoveAsTheirOwnersWithAShareOfTheMass)

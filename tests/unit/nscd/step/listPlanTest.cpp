@@ -30,7 +30,7 @@ Scene fiveGrains(double speed)
 
 nscd::ListPlan planOf(const Scene& scene, const nscd::OffPaths& off = nscd::OffPaths())
 {
-    return nscd::planByPaths(listContacts(scene, 2*radius), scene.grains.velocity, 2*radius, deltaT, off);
+    return nscd::planByPaths(listContacts(scene, 2*radius), scene.grains.velocity, Vec3::Zero(), 2*radius, deltaT, off);
 }
 
 } // namespace
@@ -95,6 +95,17 @@ TEST(ListPlan, whereStraysAreFollowedListsAllowForLessAndLastForWholeSteps)
     const nscd::ListPlan plan = planOf(fiveGrains(speed), off);
     EXPECT_DOUBLE_EQ(plan.speed[0], speed + 0.8*2*speed);
     EXPECT_DOUBLE_EQ(plan.expected.time, 2*deltaT);   // 1.6 without
+}
+
+TEST(ListPlan, grainsNearOtherRanksAreNotFollowedAndMayBeHitByAny)
+{
+    const double speed = 5.0, inTheMean = 2*speed*std::sqrt(2.0/5.0);
+    nscd::OffPaths off;
+    off.areStraysFollowed = true;
+    off.isNearOthers = {1, 0, 1, 0, 0};
+    const nscd::ListPlan plan = planOf(fiveGrains(speed), off);
+    const double expected[] = {3*speed, speed + 0.8*2*speed, speed + inTheMean, speed, speed};
+    for (int i = 0; i < 5; ++i) EXPECT_DOUBLE_EQ(plan.speed[i], expected[i]) << i;
 }
 
 TEST(ListPlan, withoutPathsEachIsAsFastAsAllMayBe)
