@@ -156,14 +156,6 @@ struct ExpectedMotion
     bool mayBeStopped = false;    ///< any grain, anywhere on its path, by a wall, or by one that a wall stopped: of interest on several ranks
     /// Of each grain, how far away walls of many regions are listed, if not as far as its reach and the walls' (infinite) [m]; empty: all are.
     std::vector<double> reachToMany;
-
-    /// Grains may be stopped. Where they may leave their paths then (walls take them along), or stay behind by so much that the nearest images of
-    /// paths do not tell who is near (periodic sides), none is expected to move: all may be anywhere within their reaches.
-    void allowForStops(bool mayLeavePaths)
-    {
-        mayBeStopped = true;
-        if (mayLeavePaths) velocity.clear();
-    }
 };
 
 /// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].

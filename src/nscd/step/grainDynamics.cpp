@@ -80,15 +80,15 @@ void GrainDynamics::Implementation::rebuildList(const std::vector<Vec3>& velocit
     ImpulseRecord impulses = isListStale ? std::move(restored) : isWithinStep ? beforeStep : collectImpulses(list);
     restored = ImpulseRecord();
 
+    makeWallSearch();
     ListPlan plan = planList(velocity, margin);
     plan.expected.areStraysFollowed = mayFollowStrays();
     std::vector<double> reach(grains.size());
     for (std::size_t i = 0; i < grains.size(); ++i) reach[i] = reachAtRest() + plan.expected.time*plan.speed[i];
-    makeWallSearch();
     std::vector<WallReach> wallReach = movingWalls.reach(*wallSearch, grains, reach, diameter);
     if (areWallsOutlined) lookForFast(plan, reach, wallReach);
     plan.expected.reachToMany = reachToMany;
-    if (isAnyFast && exchange->isParallel()) plan.expected.allowForStops(box.any() || !wallReach.empty());
+    plan.expected.mayBeStopped = isAnyFast && exchange->isParallel();
     list = buildContactList(scene(), *wallSearch, reach, std::move(wallReach), diameter, *exchange, std::move(list), plan.expected);
     updateGeometry(list, scene());
     findFastPairs(list);

@@ -58,6 +58,10 @@ ListPlan GrainDynamics::Implementation::planList(const std::vector<Vec3>& veloci
     const double time = stepsPerList*deltaT;
     const Vec3 mean = Vec3(sums[2], sums[3], sums[4])/number;
     if (margin == 1.0 && box.any()) refuseBeyondPeriods(velocity, mean);
+    // Grains that walls stop may leave their paths where walls take them along, or stay behind by so much that the nearest images of paths do not tell
+    // who is near: what stops behind those of another rank would not find them.
+    const bool mayLeavePaths = areWallsOutlined && (box.any() || walls.anyMotion());
+    if (mayLeavePaths && exchange->isParallel()) return planBySpeeds(velocity, commonSpeed, time, margin);
     // Over many steps grains do not fly straight, nor where impacts were far from what was foreseen.
     if (margin <= widestMargin && !isListStale && stepsPerList == fewestStepsPerList)
     {
