@@ -5,6 +5,7 @@
 #include "parallel/ghostSearch.hpp"
 
 #include "nscd/base/invalidValue.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -35,8 +35,7 @@ private:
 /// Cost:     2 to 4 messages per level of the tree. Boxes go up it, half by half; grains go down it, each to one rank of a half
 ///           whose box it meets, so that it comes at most once
 /// Errors:   std::invalid_argument where there is not one slack for each grain owned, or paths and not one for each
-///           `covered`: set to the boxes that were met
-/// Ensures:  sorted by owner and index, positions wrapped into the periodic box; none of this rank's own
+/// Ensures:  `covered` has the boxes around the spheres of all ranks; ghosts sorted by owner and index, positions wrapped into the periodic box; none of this rank's own
 std::vector<GhostGrain> findGhosts
 (
     const RankTree& tree, const Grains& owned, const GrainPaths& paths, const PeriodicBox& box, CoveredBoxes& covered

@@ -7,12 +7,12 @@
 
 #include "nscd/contacts/contactGeometry.hpp"
 #include "nscd/step/sweptPairs.hpp"
+#include "unit/nscd/scenes/gases.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <numeric>
-#include <random>
 
 using namespace scenes;
 
@@ -20,30 +20,6 @@ namespace
 {
 
 constexpr double radius = 0.01, deltaT = 1e-3;
-
-double smallestDistance(const std::vector<Vec3>& x)
-{
-    double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < x.size(); ++i)
-    {
-        for (std::size_t j = 0; j < i; ++j) smallest = std::min(smallest, (x[i] - x[j]).squaredNorm());
-    }
-    return std::sqrt(smallest);
-}
-
-/// Some heavy, so that lists do not foresee what others are thrown about by, and so fast that lists are long.
-Scene heavyAndLightGas(double width, int number)
-{
-    Scene scene(3, 0.3, 0.9);
-    scene.addOpenBox(width);
-    scene.addPlane(width*Vec3::UnitZ(), -Vec3::UnitZ());
-    std::mt19937 random(11);
-    std::uniform_real_distribution<double> unit(-1, 1);
-    scene.scatter(std::vector<double>(number, radius), Vec3::Constant(width), random);
-    for (Vec3& v : scene.grains.velocity) v = 0.8*radius/deltaT*Vec3(unit(random), unit(random), unit(random));
-    for (std::size_t i = 0; i < scene.grains.size(); i += 4) scene.grains.mass[i] *= 20.0;
-    return scene;
-}
 
 /// Two grains by their identities, and the image of the second.
 using PairOfScene = std::array<int, 5>;
@@ -201,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P
 TEST(Ranks, straysOfAGasPassNoOtherUnseen)
 {
     constexpr double width = 0.255;
-    const Scene scene = heavyAndLightGas(width, 1200);
+    const Scene scene = heavyAndLightGas(width, radius, deltaT);
     const auto slabs = [=](const Vec3& x, std::int64_t) { return std::min(ranks() - 1, static_cast<int>(x[0]/width*ranks())); };
     RankedScene run(scene, nscd::ContactSettings(), slabs);
     int lists = 0;

@@ -105,9 +105,7 @@ void CoupledRun::linearizeDrag()
     if (!feedsBack()) return;
 
     step_.response = isLagAllowed() ? laggedResponse(grains) : predictResponse();
-    double responds = step_.response.isZero ? 0 : 1;
-    ranks_.exchange()->max(&responds, 1);
-    step_.response.isZero = responds == 0;
+    step_.response.isZero = !ranks_.exchange()->any(!step_.response.isZero);
     handOver(grains, step_, debt_, *immersion_->mapping, immersion_->atHome, fluidDensity(), deltaT, immersion_->sources);
 }
 

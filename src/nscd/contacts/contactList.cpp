@@ -61,6 +61,7 @@ void addBody(ContactList& list, const Vec3& position, double radius, double inve
     list.id.push_back(id);
 }
 
+/// Slacks are what is left of reaches beside paths and the range of laws.
 GrainPaths pathsOfGrains(const std::vector<double>& reach, const ExpectedMotion& expected, double range)
 {
     GrainPaths paths;
@@ -73,7 +74,7 @@ GrainPaths pathsOfGrains(const std::vector<double>& reach, const ExpectedMotion&
     return paths;
 }
 
-/// Grains of other ranks are anywhere then, about where they are.
+/// Of grains that may be stopped: anywhere within their reaches.
 GrainPaths anywhereOn(GrainPaths paths)
 {
     for (std::size_t i = 0; i < paths.path.size(); ++i) paths.slack[i] += paths.path[i].norm();

@@ -160,7 +160,8 @@ struct ExpectedMotion
 
 /// Lists all pairs whose surfaces are nearer than the sum of their reaches; impulses are zero afterwards. `diameter`: mean, [m].
 /// A reach is how far a grain may travel before the list is stale, and the range of laws that act across gaps. Where motion is expected, pairs that do
-/// not come near one another in it are left out, but for those of two ranks where grains may be stopped; and a grain that moves otherwise, by more than its reach less its path, makes the list stale. `old`: a list whose memory is used again.
+/// not come near one another in it are left out; where grains may be stopped, those of other ranks may be anywhere within their reaches. A grain that
+/// moves otherwise, by more than its reach less its path, makes the list stale. `old`: a list whose memory is used again.
 /// Errors: std::invalid_argument if a period is shorter than the largest grain
 ContactList buildContactList
 (

@@ -110,10 +110,7 @@ void removeWithinBodies(std::vector<Candidate>& candidates, const GeneralBodies&
 
 bool areClumpsAnywhere(const Clumps& clumps, const Exchange& exchange)
 {
-    if (!exchange.isParallel() || clumps.shapes.empty()) return !clumps.empty();
-    double any = clumps.empty() ? 0.0 : 1.0;
-    exchange.max(&any, 1);
-    return any > 0.0;
+    return clumps.shapes.empty() ? !clumps.empty() : exchange.any(!clumps.empty());
 }
 
 void joinGeneralBodies(ContactList& list, const std::vector<Candidate>& interface, Exchange& exchange)

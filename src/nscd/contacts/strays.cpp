@@ -198,7 +198,7 @@ bool isWithinPeriods(const Sphere& sphere, const PeriodicBox& box)
     return isWithin;
 }
 
-bool add(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates)
+bool addPairs(ContactList& list, const Scene& scene, const std::vector<Candidate>& candidates)
 {
     std::vector<std::uint32_t> order(candidates.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -256,7 +256,7 @@ bool followStrays
     addWithOthers(list, strays, isStray, scene.box, range, lacking);
     addAmongStrays(list, isNew, scene.box, range, lacking);
     addFastPairs(list, listed.slotsOfPairs);
-    return lacking.found.empty() || add(list, scene, lacking.found);
+    return lacking.found.empty() || addPairs(list, scene, lacking.found);
 }
 
 bool doAnyTouch(const ContactList& list, const Scene& scene, std::size_t first, double deltaT)

@@ -17,8 +17,9 @@ std::vector<int> findStrays(const ContactList& list, double deltaT, std::size_t 
 bool isWithinTime(const ContactList& list, double deltaT);
 
 /// Gives bodies a path from where they are, with their present velocities and the slack that they have, and lists the pairs that may meet for it.
-/// These come into the list's free blocks, with geometry and without impulses; all pairs of a stray are fast ones then. Where the list is without paths its slack lets a
-/// stray go on as fast until the list's time is over, or for a step of deltaT at least. For lists within their time, without general bodies and walls that move.
+/// These come into the list's free blocks, with geometry and without impulses; all pairs of a stray are fast ones then. Where the list is without
+/// paths its slack lets a stray go on as fast until the list's time is over, or for a step of deltaT at least. For lists within their time, without
+/// general bodies and walls that move.
 /// Returns whether that was possible. It is not where a velocity is not finite, a stray comes to walls that are not listed for it, or may reach
 /// further than half a period, or to where grains of other ranks may be, or the pairs have no room: then paths may have changed, and the list is to be
 /// built anew.

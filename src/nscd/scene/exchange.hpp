@@ -59,6 +59,13 @@ public:
     /// Replaces `count` values by their sums or maxima over all ranks; the same bits on every rank.
     virtual void sum(double* /*values*/, int /*count*/) const {}
     virtual void max(double* /*values*/, int /*count*/) const {}
+    /// Whether it is so on any rank.
+    bool any(bool isHere) const
+    {
+        double value = isHere ? 1.0 : 0.0;
+        max(&value, 1);
+        return value > 0.0;
+    }
     /// Two sums and a maximum in one go.
     virtual void sumAndMax(double (&/*sums*/)[2], double& /*max*/) const {}
 

@@ -115,7 +115,7 @@ GrainDynamics::Implementation::Coverage GrainDynamics::Implementation::coverOrMe
     list.halo.max(worst, 2);
     isAnyFast = worst[1] > 0.0;
     // Where grains may be stopped, pairs of two ranks are listed otherwise.
-    if (exchange->isParallel() && !wasAnyFast && worst[1] > 0.0) return Coverage::none;
+    if (exchange->isParallel() && isAnyFast && !wasAnyFast) return Coverage::none;
     return static_cast<Coverage>(static_cast<int>(worst[0]));
 }
 
@@ -127,16 +127,10 @@ WallsOfStep GrainDynamics::Implementation::wallsOfStep() const
 
 void GrainDynamics::Implementation::lookForFast(const ListPlan& plan, const std::vector<double>& reach, const std::vector<WallReach>& wallReach)
 {
-    const auto isOnAnyRank = [&](bool isHere)
-    {
-        double value = isHere ? 1.0 : 0.0;
-        exchange->max(&value, 1);
-        return value > 0.0;
-    };
-    isAnyFast = isOnAnyRank(areAnyFast(grains, reach, wallReach));
+    isAnyFast = exchange->any(areAnyFast(grains, reach, wallReach));
     atMissedWalls.clear();
     reachToMany = isAnyFast ? reachesToMany(grains, *wallSearch, plan.speed, deltaT, reachAtRest()) : std::vector<double>();
-    areManyLeftOut = isAnyFast && isOnAnyRank(!reachToMany.empty());
+    areManyLeftOut = isAnyFast && exchange->any(!reachToMany.empty());
 }
 
 double GrainDynamics::Implementation::moveBodies(StepReport& report)

@@ -16,7 +16,7 @@ namespace
 /// What an impact may change a grain's velocity by, in the largest difference between its velocity and those of the candidates it may meet: what a
 /// heavy one does to it at once. Where strays are followed, less: at 0.8 in the bed that bubbles 37 of 24 750 grains are strays in a step for 6, and lists
 /// hold 6.3 candidates a grain for 7.5; at 0.6 there are 390, and half as many lists again are built for them. Near other
-/// ranks, where they are not followed, all of it, and as much as impacts do in the mean (rms): in that bed on two ranks 31 lists in 50 steps for 48, 4.7
+/// ranks, where they are not followed, all of it, and as much as impacts do in the mean (rms): in that bed on two ranks 31 lists in 50 steps for 48, 4.6
 /// candidates a grain for 4.3; with 1.5 times as much 30, and without the mean 36.
 constexpr double impactShare = 1.0, impactShareOfStrays = 0.8;
 /// Candidates that pass at more than this [d] give no impacts: fast grains and those around them would make each other candidates without end (rain on a
