@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // The one weight matrix between grains and cells.
+#include "coupling/base/eraseAt.H"
 #include "coupling/base/vectorConversion.H"
 #include "coupling/mapping/grainMapping.H"
 
@@ -143,11 +144,17 @@ std::vector<LocatedBall> GrainMapping::locate(const ::nscd::Grains& grains, cons
 {
     std::vector<LocatedBall> balls(grains.nOwned);
     cells_.resize(grains.nOwned, -1);
+    label nearby = -1;   // where the grain before is: often near, for one that was nowhere yet
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         const Vec3 center = box.any() ? box.wrap(grains.position[i]) : grains.position[i];
         const bool isThere = i < balls_.size() && balls_[i].center == center && balls_[i].cell == cells_[i];
-        if (!isThere) cells_[i] = layout_->locator.find(center, cells_[i]);
+        if (!isThere)
+        {
+            const label cell = layout_->locator.find(center, cells_[i] >= 0 ? cells_[i] : nearby);
+            if (cell >= 0 || !isMeshAhead_) cells_[i] = cell;
+        }
+        nearby = cells_[i];
         balls[i] = {center, grains.radius[i], cells_[i]};
     }
     return balls;
@@ -253,6 +260,20 @@ bool GrainMapping::updateRows(std::vector<LocatedBall> balls)
     balls_ = std::move(balls);
     if (hasBodies()) joinRows();
     return true;
+}
+
+void GrainMapping::erase(const std::vector<std::size_t>& grains)
+{
+    eraseAt(cells_, grains);
+    isBuilt_ = false;
+    if (hasBodies())
+    {
+        balls_.clear();
+        return;
+    }
+    eraseAt(balls_, grains);
+    eraseAt(covered_, grains);
+    weights_.erase(grains);
 }
 
 void GrainMapping::buildSolidFraction()

@@ -295,10 +295,12 @@ void CoupledRun::removeThoseOutside()
     if (!hasGrains()) immersion_->sources.clear();
 }
 
-void CoupledRun::updateWeights()
+void CoupledRun::updateWeights(const bool isMeshAhead)
 {
-    if (homes_) homes_->update(dynamics_->grains());
+    immersion_->mapping->setMeshAhead(isMeshAhead);
+    if (homes_) homes_->update(dynamics_->grains(), isMeshAhead);
     updateWeightsAtHome();
+    immersion_->mapping->setMeshAhead(false);
 }
 
 void CoupledRun::updateWeightsAtHome()
@@ -345,6 +347,8 @@ void CoupledRun::removeExited(const std::vector<label>& cells)
     bodies_.update(dynamics_->grains());
     memory_.erase(bodiesGone);
     if (homes_) homes_->erase(gone);
+    else if (immersion_) immersion_->mapping->erase(gone);
+    if (locations_) locations_->erase(gone);
     exited_ += static_cast<std::int64_t>(number);
     nGrains_ -= static_cast<std::int64_t>(number);
 }

@@ -31,7 +31,7 @@ void CoupledRun::moveMesh()
     makeMapping();
     immersion_->mapping->lookFirstIn(std::move(cells));
     if (homes_) homes_->followMesh(findHome());
-    if (hasGrains()) updateWeights();
+    if (hasGrains()) updateWeights(true);
 }
 
 

@@ -128,10 +128,12 @@ void GrainHomes::askAround(const ::nscd::Grains& grains)
     listAstray(grains, astray, grainOf);
     std::vector<Answer> answers;
     std::vector<int> askers;
+    label nearby = -1;   // an own cell that held a point asked for before: often near the next
     for (const ::nscd::RoutedPoint& asked : ::nscd::routePoints(tree_, astray, box_))
     {
-        const CellHome home = find_(vectorOf(asked.position), -1);
+        const CellHome home = find_(vectorOf(asked.position), nearby);
         if (home.rank < 0) continue;
+        if (home.rank == Pstream::myProcNo()) nearby = home.cell;
         answers.push_back({asked.index, home});
         askers.push_back(asked.origin);
     }
@@ -167,12 +169,17 @@ void GrainHomes::askBetweenHalves(const ::nscd::Grains& grains)
     }
 }
 
-const std::vector<CellHome>& GrainHomes::update(const ::nscd::Grains& grains)
+const std::vector<CellHome>& GrainHomes::update(const ::nscd::Grains& grains, const bool isMeshAhead)
 {
     homes_.resize(grains.nOwned);
+    const std::vector<CellHome> last = isMeshAhead ? homes_ : std::vector<CellHome>();
     askLastHomes(grains);
     askAround(grains);
     askBetweenHalves(grains);
+    for (std::size_t i = 0; i < last.size(); ++i)
+    {
+        if (homes_[i].rank < 0) homes_[i] = last[i];
+    }
     return homes_;
 }
 

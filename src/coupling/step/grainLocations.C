@@ -18,7 +18,12 @@ GrainLocations::GrainLocations(const fvMesh& mesh)
 const std::vector<label>& GrainLocations::update(const ::nscd::Grains& grains)
 {
     cells_.resize(grains.nOwned, -1);
-    for (std::size_t i = 0; i < grains.nOwned; ++i) cells_[i] = locator_.find(grains.position[i], cells_[i]);
+    label nearby = -1;
+    for (std::size_t i = 0; i < grains.nOwned; ++i)
+    {
+        cells_[i] = locator_.find(grains.position[i], cells_[i] >= 0 ? cells_[i] : nearby);
+        nearby = cells_[i];
+    }
     return cells_;
 }
 

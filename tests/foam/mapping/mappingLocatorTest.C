@@ -4,6 +4,8 @@
 
 #include "mappingTools.H"
 
+#include "coupling/mapping/mesh/nearestBorder.H"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -72,6 +74,36 @@ TEST(mappingLocator, saysWhoIsOutside)
 
     grains.position[1] = Vec3(2.99, 1, 1);
     EXPECT_EQ(mapping.update(grains, {}).outsideMesh, (std::vector<std::int64_t>{103}));
+}
+
+BorderFace nearestOfAllFaces(const polyMesh& mesh, const point& x)
+{
+    BorderFace nearest;
+    for (label face = mesh.nInternalFaces(); face < mesh.nFaces(); ++face)
+    {
+        const scalar distance = mesh.faces()[face].nearestPoint(x, mesh.points()).distance();
+        if (distance < nearest.distance) nearest = {distance, face};
+    }
+    return nearest;
+}
+
+// Inside of the mesh, beside it and far from it.
+TEST(nearestBorder, isTheNearestOfAllFaces)
+{
+    BoxMeshSettings settings = unitCells(labelVector(5, 4, 3));
+    shake(settings, 0.2);
+    BoxMesh box(settings);
+    for (const scalar around : {0.0, 1.0, 30.0})
+    {
+        const Vec3 more = Vec3::Constant(around);
+        for (const Vec3& x : randomPoints(200, -more, Vec3(5, 4, 3) + more))
+        {
+            const BorderFace found = nearestBorder(box.mesh(), toFoam(x));
+            const BorderFace expected = nearestOfAllFaces(box.mesh(), toFoam(x));
+            EXPECT_EQ(found.face, expected.face) << x.transpose();
+            EXPECT_EQ(found.distance, expected.distance) << x.transpose();
+        }
+    }
 }
 
 } // End anonymous namespace

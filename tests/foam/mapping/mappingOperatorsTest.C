@@ -4,6 +4,8 @@
 
 #include "mappingTools.H"
 
+#include "coupling/case/walls/grainExits.H"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -236,6 +238,10 @@ TEST(grainMapping, anUpdateIsAsAMappingMadeAnew)
     expectAsAnew("one removed");
     grains.add(Vec3(2, 2, 2), 0.2, 2500, 0, 1000);
     expectAsAnew("one added");
+    eraseGrains(grains, {0, 9, 39});
+    kept.erase({0, 9, 39});
+    EXPECT_EQ(kept.weights().nRows(), label(grains.size()));
+    expectAsAnew("some erased, the mapping told");
 }
 
 TEST(mappingRedistribution, doesNothingBelowTheLimit)

@@ -42,6 +42,16 @@ TEST(MovingMesh, keepsGrainsAndTheirVolumeInABoxThatSwings)
     EXPECT_GT(sideways(c), 1e-3);
 }
 
+TEST(MovingMesh, mayRunOverGrainsThatMoveAfterIt)
+{
+    const ProgramCase c(swingingFast(), "deltaT 2e-3; endTime 0.1; writeInterval 50; writeFormat binary; ");
+    ASSERT_TRUE(succeeds(c.run()));
+    EXPECT_EQ(c.reported("0", "time").size(), 50u);
+    EXPECT_EQ(c.reported("0", "grains").back(), 12);
+    EXPECT_LT(largest(c.reported("0", "volumeError")), 1e-10);
+    EXPECT_LT(largest(c.reported("0", "overlapMax")), 1e-3);
+}
+
 TEST(MovingMesh, goesOnAsIfItHadNotStopped)
 {
     const std::string steps = "deltaT 1e-3; writeControl timeStep; writeInterval 20; writeFormat binary; ";

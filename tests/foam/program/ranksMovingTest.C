@@ -64,22 +64,32 @@ Files stirred(const std::string& more)
     return files;
 }
 
-} // namespace
-
-TEST(Ranks, swingWithTheirPartsOfTheMesh)
+/// In two and in three parts as alone, to a length.
+void expectSameInParts(const Files& files, const std::string& control, double length)
 {
-    const std::string control = "deltaT 1e-3; endTime 0.03; writeInterval 30; writeFormat binary;";
-    const ProgramCase alone(swinging(), control);
+    const ProgramCase alone(files, control);
     EXPECT_TRUE(succeeds(alone.run()));
     for (const labelVector& parts : {labelVector(1, 2, 1), labelVector(1, 1, 3)})
     {
         const label ranks = cmptProduct(parts);
         SCOPED_TRACE(ranks);
-        const ProgramCase together(swinging(), control);
+        const ProgramCase together(files, control);
         EXPECT_TRUE(succeeds(together.decompose(parts)));
         EXPECT_TRUE(succeeds(together.runOn(ranks)));
-        expectSame(alone, together, 1e-4*diameter);
+        expectSame(alone, together, length);
     }
+}
+
+} // namespace
+
+TEST(Ranks, swingWithTheirPartsOfTheMesh)
+{
+    expectSameInParts(swinging(), "deltaT 1e-3; endTime 0.03; writeInterval 30; writeFormat binary;", 1e-4*diameter);
+}
+
+TEST(Ranks, areRunOverByTheMeshThatMovesFirst)
+{
+    expectSameInParts(swingingFast(), "deltaT 2e-3; endTime 0.04; writeInterval 30; writeFormat binary;", 1e-6);
 }
 
 TEST(Ranks, loseGrainsThroughExitsThatMove)

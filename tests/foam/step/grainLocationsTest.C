@@ -3,6 +3,7 @@
 //
 // The cells of grains in a run without fluid, against a look at all cells.
 #include "coupling/base/vectorConversion.H"
+#include "coupling/case/walls/grainExits.H"
 #include "coupling/step/grainLocations.H"
 #include "mappingTools.H"
 
@@ -46,5 +47,7 @@ TEST(GrainLocations, followGrainsThroughTheMeshAndOutOfIt)
         }
         EXPECT_EQ(outside > 0, step > 0);
         for (std::size_t i = 0; i < grains.size(); ++i) grains.position[i] += 0.3*Vec3(1, -0.5, i % 2 ? 1 : -1);
+        eraseGrains(grains, {0, 7});
+        locations.erase({0, 7});
     }
 }

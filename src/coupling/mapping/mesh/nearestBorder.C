@@ -69,6 +69,18 @@ void askWithin
     }
 }
 
+/// Below the distance to a face: that to the box around it, less round-off.
+scalar leastDistance(const face& f, const pointField& points, const point& x)
+{
+    point low(points[f[0]]), high(low);
+    for (const label pointI : f)
+    {
+        low = min(low, points[pointI]);
+        high = max(high, points[pointI]);
+    }
+    return (1 - 1e-9)*mag(max(max(low - x, x - high), point::zero));
+}
+
 scalar farthestFrom(const polyMesh& mesh, const std::vector<Vec3>& points, const ::nscd::Communicator& ranks)
 {
     scalar farthest = mesh.bounds().mag();
@@ -105,6 +117,7 @@ BorderFace nearestBorder(const polyMesh& mesh, const point& position, const scal
         const scalar weight = weights.empty() ? 1 : weights[patch.index()];
         forAll(patch, k)
         {
+            if (weight*leastDistance(patch[k], mesh.points(), position) > nearest.distance) continue;
             const scalar distance = weight*patch[k].nearestPoint(position, mesh.points()).distance();
             if (distance < nearest.distance) nearest = {distance, patch.start() + k};
         }
