@@ -329,6 +329,22 @@ TEST(BadRestart, filesOfDifferentTimesDoNotFit)
     EXPECT_TRUE(holds(complaint([&] { readBack(box); }), {"lagrangian/grains/U", "20 values", "21 values"}));
 }
 
+TEST(BadRestart, orientationsMustBeOfLengthOne)
+{
+    const auto complaintOf = [](const nscd::Quaternion& orientation)
+    {
+        GrainState state = randomState(5);
+        state.grains.orientation[2] = orientation;
+        return complaint([&] { roundTrip(inFormat("ascii"), state); });
+    };
+    const std::vector<std::string> pieces = {"lagrangian/grains", "keyword orientationW, orientation", "are damaged: grain 17", "length 1"};
+    for (const nscd::Quaternion& q : {nscd::Quaternion(-1e30, 0, 0, 0), nscd::Quaternion(1e200, 0, 0, 0), nscd::Quaternion(0, 0, 0, 0), nscd::Quaternion(1, 0.2, 0, 0)})
+    {
+        EXPECT_TRUE(holds(complaintOf(q), pieces));
+    }
+    EXPECT_EQ(complaintOf(nscd::Quaternion(0.87, 0.5, 0, 0)), "");   // 30 degrees in two digits
+}
+
 TEST(BadRestart, contactsMustBeOfGrainsAndWallsThatAreThere)
 {
     GrainState state = randomState(5);

@@ -435,6 +435,22 @@ TEST(Program, stopsAtSolversThatAreMissingOrUnknown)
     EXPECT_TRUE(isRefusedWith(file, solvers(pressure, "\"U.*\" { solver PCG;"), {"fvSolution", "PCG", "PBiCGStab"}));
 }
 
+/// A solver that is content at once leaves the fluid as it is; of minIter it is not asked.
+TEST(Program, stopsAtTolerancesThatSolveNothing)
+{
+    const auto solution = [](const std::string& pressure, const std::string& velocity)
+    {
+        return "solvers { \n\"p_rgh.*\" { solver PCG; preconditioner DIC; " + pressure + " }\n\"U.*\" { solver PBiCGStab; preconditioner DILU; " + velocity
+            + " } } PIMPLE { nCorrectors 2; }";
+    };
+    const std::string file = "system/fvSolution", right = "tolerance 1e-9; relTol 0.1;";
+    EXPECT_TRUE(isRefusedWith(file, solution("tolerance 1e-9; relTol 1e12;", right), {file, "line 3", "relTol is out of range", "1e+12", ">= 0 and < 1"}));
+    EXPECT_TRUE(isRefusedWith(file, solution(right, "tolerance 1e-9; relTol 1;"), {file, "line 4", "relTol is out of range", "< 1"}));
+    EXPECT_TRUE(isRefusedWith(file, solution(right, "tolerance 1e-9; relTol -0.1;"), {file, "line 4", "relTol is out of range", ">= 0"}));
+    EXPECT_TRUE(isRefusedWith(file, solution("tolerance 1e3; relTol 0;", right), {file, "line 3", "tolerance is out of range", "< 1"}));
+    EXPECT_TRUE(succeeds(ProgramCase(Files{{file, solution(right, "tolerance 1; relTol 1; minIter 3;")}}).run()));
+}
+
 TEST(Program, stopsAtWhatTheTurbulenceModelLacks)
 {
     const auto field = [](const std::string& dimensions, const std::string& value)

@@ -92,6 +92,13 @@ TEST(Ranks, sayWhatAWrittenTimeLacks)
     };
     EXPECT_TRUE(refusedWithout("processor1/0.002", {"0.002 is the latest time", "processor1", "remove the directory 0.002 of all"}));
     EXPECT_TRUE(refusedWithout("processor1/0.002/phi", {"phi is missing on some", "processor1", "0.002/phi", "remove the directory 0.002"}));
+    mv(c.path("processor0/0.002/phi"), c.path("other"));
+    EXPECT_TRUE(refusedWithout("processor1/0.002/phi", {"processor*/0.002/phi", "is missing", "processor0, processor1", "out of `files`"}));
+    mv(c.path("other"), c.path("processor0/0.002/phi"));
+    cp(c.path("processor1/0.002/phi"), c.path("other"));
+    std::ofstream(c.path("processor1/0.002/phi")) << "";
+    EXPECT_TRUE(isRefused(c, 2, {"processor*/0.002/phi", "is empty", "processor1"}));
+    cp(c.path("other"), c.path("processor1/0.002/phi"));
     EXPECT_TRUE(refusedWithout("processor1/0.002/lagrangian/grains", {"origId", "no file on processor1", "18 values"}));
     EXPECT_TRUE(refusedWithout("processor1/0.002/lagrangian/grains/U", {"processor1/0.002/lagrangian/grains/U", "missing, truncated"}));
     EXPECT_TRUE(refusedWithout("processor0/0.002/uniform/grainState", {"processor0/0.002/uniform/grainState", "not written to its end"}));

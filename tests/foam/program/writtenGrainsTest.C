@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 using namespace Foam;
 using namespace Foam::nscdCoupling::testing;
@@ -150,6 +151,10 @@ TEST(WrittenGrains, areRefusedBeforeTheFirstStep)
     low.max = point(0.1, 0.1, 0.1);
     EXPECT_TRUE(isRefused(ProgramCase(dryFiles("fluid none; " + glass + closed + fromTime(old)), "", low), {"grains", "puts 18 grains outside the mesh", "grain 27 at"}));
 
+    const std::string orientation = old.contents("0.002/lagrangian/grains/orientationW");
+    old.write("0.002/lagrangian/grains/orientationW", "45{-1e30}");
+    EXPECT_TRUE(isRefused(dry(fromTime(old)), {"grains.old.case", "holds a damaged grain, 0", "orientationW -1e+30", "length 1"}));
+    std::ofstream(old.path("0.002/lagrangian/grains/orientationW")) << orientation;
     old.write("0.002/lagrangian/grains/d", "3(0.01 0.01 0.01)");
     EXPECT_TRUE(isRefused(dry(fromTime(old)), {"lagrangian/grains/d", "does not fit the other files", "3 values", "45 values"}));
     old.write("0.002/lagrangian/grains/d", "45(0.01 0.01");

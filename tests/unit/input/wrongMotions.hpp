@@ -36,6 +36,7 @@ inline std::vector<Wrong> wrongWalls()
         {"wallOfUnknownType", "type box", "type bocks", 5, {"keyword walls.tray.type", "allowed: plane, polygon, box, stl"}},
         {"emptyBoxOfWalls", "(0.06 0.06 0.2)", "(0.06 0.06 -0.2)", 5, {"keyword walls.tray.box is empty"}},
         {"unknownSide", "(0.06 0.06 0.2);", "(0.06 0.06 0.2); sides (xMin xMix);", 5, {"keyword walls.tray.sides", "value:   xMix", "nearest: xMin"}},
+        {"boxWithoutSides", "(0.06 0.06 0.2);", "(0.06 0.06 0.2); sides ();", 5, {"keyword walls.tray.sides is empty", "allowed: xMin, xMax, yMin"}},
         {"wallsOfOneName", "planes    { ", "planes    { tray { point (0 0 0); normal (0 0 1); } ", 5, {"keyword walls.tray is the name of another wall"}},
         {"wallNameWithAComma", "walls     { ", "walls     { \"a,b\" { type plane; point (0 0 0); normal (0 0 1); } ", 5, {"keyword walls.a,b is no name for a column"}},
         {"planeWithoutNormal", "planes    { ", "planes    { lid { point (0 0 1); } ", 6, {"keyword planes.lid.normal is missing"}},

@@ -8,6 +8,7 @@
 #include "coupling/case/files/grainCloud.H"
 #include "coupling/case/files/processorFolders.H"
 #include "coupling/case/files/processorNames.H"
+#include "coupling/case/files/restartFiles.H"
 #include "coupling/case/files/runState.H"
 #include "nscd/contacts/contactLaw.hpp"
 
@@ -145,6 +146,16 @@ void checkGrain(const polyMesh& mesh, label id, scalar diameter, const vector& p
     });
 }
 
+void checkOrientation(const polyMesh& mesh, label id, scalar w, const vector& axis)
+{
+    if (isUnitQuaternion(w, axis)) return;
+    fail
+    ({
+        placeInFile(mesh.time().timePath()/"lagrangian/grains", "orientationW, orientation"), "are damaged: grain " + Foam::name(id),
+        messageText(w, ", ", axis), "a quaternion of length 1"
+    });
+}
+
 /// Of the grains of this rank: those of others it does not see.
 void checkIds(const polyMesh& mesh, const labelUList& ids)
 {
@@ -181,6 +192,7 @@ nscd::Grains readGrains
     forAll(id, i)
     {
         checkGrain(mesh, id[i], diameter[i], position[i]);
+        checkOrientation(mesh, id[i], w[i], axisPart[i]);
         const int m = presentMaterial(material[i], map, materials, state);
         grains.add(toVec3(position[i]), 0.5*diameter[i], materials.density[m], m, id[i]);
         grains.velocity.back() = toVec3(velocity[i]);
@@ -310,7 +322,7 @@ bool hasGrainState(const polyMesh& mesh)
     const Time& time = mesh.time();
     fileName state = time.timePath()/"uniform/grainState";
     const bool isBegun = isFile(state) || isDir(time.timePath()/cloud::prefix/"grains") || isFile(time.timePath()/"balancedGradient");
-    if (!returnReduce(isBegun, orOp<bool>())) return false;
+    if (!returnReduce(isBegun, orOp<bool>()) && !skipsWrittenTime(time)) return false;
     Pstream::scatter(state);
     refuseUnfinished(time, state);
 }
@@ -335,6 +347,7 @@ GrainState readGrainState
 {
     checkFieldsOfAll(mesh.time());
     const RunState run = readRunState(mesh);
+    checkRestartFiles(mesh.time(), run.files);
     for (const word& name : expected.numbers)
     {
         if (run.numbers.count(name) == 0) fail({run.place, "lacks the number " + name, string::null, "what this version writes"});

@@ -3,6 +3,7 @@
 //
 // Writing and reading uniform/grainState.
 #include "coupling/case/files/runState.H"
+#include "coupling/case/files/restartFiles.H"
 #include "coupling/case/files/writtenFiles.H"
 #include "coupling/case/input/foamDictionary.H"
 
@@ -71,6 +72,7 @@ void writeRunState(const polyMesh& mesh, const RunState& state)
     dict.add("grains", state.nGrains);
     dict.add("contacts", state.nContacts);
     dict.add("materials", state.materials);
+    dict.add("files", restartFiles(mesh.time()));
     dictionary numbers;
     for (const auto& number : state.numbers) numbers.add(number.first, number.second);
     dict.add("numbers", numbers);
@@ -116,12 +118,13 @@ RunState readRunState(const polyMesh& mesh)
     {
         state.nGrains = label(given.integer("grains", 0));
         state.nContacts = label(given.integer("contacts", 0));
-        given.found("materials");
+        for (const char* list : {"materials", "files"}) given.found(list);
         const input::CheckedEntries numbers(given.sub("numbers"));
         for (const input::Entry& number : numbers.dict().entries) state.numbers[number.keyword] = numbers.number(number.keyword, input::anyNumber());
         given.finish();
     });
     state.materials = dict.get<wordList>("materials");
+    dict.readIfPresent("files", state.files);
     return state;
 }
 

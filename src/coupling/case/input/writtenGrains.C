@@ -166,6 +166,12 @@ void checkGrain(const point& x, scalar d, label id, const input::GrainSource& so
     throw InputError({source.filePlace, messageText("holds a damaged grain, ", id), messageText("d ", d, ", position ", x), "finite positions and positive diameters"});
 }
 
+void checkOrientation(scalar w, const vector& axis, label id, const input::GrainSource& source)
+{
+    if (isUnitQuaternion(w, axis)) return;
+    throw InputError({source.filePlace, messageText("holds a damaged grain, ", id), messageText("orientationW ", w, ", orientation ", axis), "a quaternion of length 1"});
+}
+
 scalar factorOf(scalar written, label id, const input::GrainSource& source)
 {
     if (written >= 1 && written < VGREAT) return written;
@@ -198,6 +204,7 @@ input::WrittenGrains readCloud(const WrittenTime& time, const input::GrainSource
     {
         if (factor.size()) written.coarseGraining.push_back(factorOf(factor[i], id[i], source));
         checkGrain(x[i], d[i], id[i], source);
+        checkOrientation(w[i], axis[i], id[i], source);
         const int m = materialOf(material[i], names, source, materials);
         grains.add(toVec3(x[i]), 0.5*d[i], materials.density[m], m, id[i]);
         grains.velocity.back() = toVec3(u[i]);

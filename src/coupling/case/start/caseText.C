@@ -12,6 +12,7 @@
 
 #include "polyMesh.H"
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -25,14 +26,21 @@ namespace nscdCoupling
 namespace
 {
 
-/// The text of a file; empty where there is none, or where its header says that it is binary.
-std::string textOf(const std::string& path)
+/// Where a header stands.
+std::string beginOf(std::istream& file)
 {
     constexpr std::size_t longestHeader = 2000;
-    std::ifstream file(path, std::ios::binary);
     std::string text(longestHeader, '\0');
     file.read(&text[0], longestHeader);
     text.resize(std::size_t(file.gcount()));
+    return text;
+}
+
+/// The text of a file; empty where there is none, or where its header says that it is binary.
+std::string textOf(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::string text = beginOf(file);
     const std::size_t format = text.find("format");
     const std::size_t word = format == std::string::npos ? format : text.find_first_not_of(" \t", format + std::strlen("format"));
     if (word != std::string::npos && text.compare(word, 6, "binary") == 0) return "";
@@ -40,13 +48,28 @@ std::string textOf(const std::string& path)
     return text;
 }
 
+/// OpenFOAM makes a whole number of the version in a header, and stops with a signal where none holds it.
+void checkVersion(const std::string& path)
+{
+    constexpr double latest = 100;
+    std::ifstream file(path, std::ios::binary);
+    const std::string begin = beginOf(file), keyword = "version";
+    const std::size_t at = begin.find(keyword);
+    if (at == std::string::npos) return;
+    const double version = std::strtod(begin.c_str() + at + keyword.size(), nullptr);
+    if (version >= 0 && version <= latest) return;
+    fail({placeInFile(path, "FoamFile." + keyword), "is out of range", messageText(version), "2.0"});
+}
+
 void checkDictionary(const std::string& path)
 {
+    checkVersion(path);
     toldByFoam([&] { input::checkOpenFoamText(textOf(path), path, input::Repeats::allowed); });
 }
 
 void checkFieldText(const std::string& path)
 {
+    checkVersion(path);
     toldByFoam([&] { input::checkFieldText(textOf(path), path); });
 }
 

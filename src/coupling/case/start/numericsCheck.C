@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // Asking for every field, scheme and solver once.
+#include "coupling/case/input/earlierTimes.H"
 #include "coupling/case/input/foamDictionary.H"
 #include "coupling/case/input/inputError.H"
 #include "coupling/case/start/numericsCheck.H"
@@ -18,6 +19,7 @@
 #include "lduMatrix.H"
 #include "IFstream.H"
 #include "IOdictionary.H"
+#include "OSspecific.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -60,6 +62,10 @@ template<class Field>
 Field checkField(const fvMesh& mesh, const word& name, const dimensionSet& dimensions, const string& unit)
 {
     const IOobject file(name, mesh.time().timeName(), mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    if (!isFile(file.objectPath()))
+    {
+        fail({placeInFile(file.objectPath(), name), "is missing", "", "a field in " + unit + adviceOnEarlierTime(mesh.time())});
+    }
     const Field field = toldWithFile(file.objectPath(), file.path(), [&] { return Field(file, mesh); });
     checkSizes(field.objectPath(), "internalField", field.primitiveField());
     for (const auto& patch : field.boundaryField()) checkSizes(field.objectPath(), patch.patch().name(), patch);
@@ -126,13 +132,30 @@ void checkSchemes(const fvMesh& mesh, const surfaceScalarField& phi, bool isAver
     fv::laplacianScheme<scalar, scalar>::New(mesh, mesh.laplacianScheme("laplacian(rAU,p_rgh)"));
 }
 
+/// OpenFOAM's residuals are 1 at most: from there on it iterates as often as minIter says, and without that not at all.
+void checkTolerances(const dictionary& dict)
+{
+    const input::Dictionary entries = valuesFromFoam(dict);
+    const input::CheckedEntries given(entries);
+    toldByFoam([&]
+    {
+        input::Range range = input::atLeast(0);
+        if (given.integer("minIter", 0, 0) == 0)
+        {
+            range.upper = 1;
+            range.includesUpper = false;
+        }
+        for (const char* keyword : {"tolerance", "relTol"}) given.number(keyword, range, 0);
+    });
+}
+
 template<class Table>
 void checkSolver(const fvMesh& mesh, const word& field, const Table& known)
 {
     const dictionary& dict = mesh.solverDict(field);
     const word type = dict.get<word>("solver");
-    if (known.found(type)) return;
-    fail({placeOf(dict, "solver"), "is unknown, or not for this equation", type, string::null, toWords(known.sortedToc())});
+    if (!known.found(type)) fail({placeOf(dict, "solver"), "is unknown, or not for this equation", type, string::null, toWords(known.sortedToc())});
+    checkTolerances(dict);
 }
 
 /// What fvSolution must have, and what it may.
