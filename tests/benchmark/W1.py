@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent/"peers"))
-from plainRuns import installed, ours, soft
+from plainRuns import installed, ours, theirs
 from plainScene import Grain, PlainScene, Plane, softStep
 from results import BUILD, ROOT, Table, pyplot, roundsOr, savePicture
 
@@ -85,7 +85,7 @@ def measure(table, peers):
         for deltaT, tolerance in RUNS[k:k + 1]:
             addRow(table, "nscdDEMFoam", "dt %g s, tolerance %g" % (deltaT, tolerance), deltaT, simulate(scene, deltaT, tolerance), best[1])
         for peer, modulus in softRuns[k:k + 1]:
-            figures, found = soft(peer, "W1", scene, modulus, TIMES)
+            figures, found = theirs(peer, "W1", scene, modulus, TIMES)
             addRow(table, peer, "E %.0e Pa" % modulus, softStep(scene, modulus), (figures, list(map(shape, found))), best[1])
     for code, other in (("nscdDEMFoam, mirrored", mirrored(scene)), ("nscdDEMFoam, discs", replace(scene, isDiscs=True))):
         addRow(table, code, "dt %g s, tolerance %g" % (1e-3, 1e-2), 1e-3, simulate(other, 1e-3, 1e-2), best[1])
@@ -103,5 +103,5 @@ def draw(table):
 
 
 if __name__ == "__main__":
-    there = installed("LIGGGHTS", "LAMMPS")
+    there = installed("LIGGGHTS", "LAMMPS", "Yade")
     draw(Table("W1", COLUMNS, larger=("errorPercent", "seconds")).inRounds(lambda table: measure(table, there), roundsOr(1)))

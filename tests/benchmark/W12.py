@@ -10,7 +10,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent/"peers"))
 from coreRun import bed
-from plainRuns import installed, ours, soft
+from plainRuns import installed, ours, theirs
 from plainScene import Grain, PlainScene, Plane, softStep
 from results import Table, pyplot, savePicture
 
@@ -49,7 +49,7 @@ def measure(table, peers):
             addRow(table, "nscdDEMFoam", state, scene, DELTA_T,
                    ours("W12", scene, [OUR_STEPS*DELTA_T], deltaT=DELTA_T, sleep=0, warmUp=WARM_UP[state])[0])
             for peer in peers:
-                addRow(table, peer, state, scene, deltaT, soft(peer, "W12", scene, MODULUS, [SOFT_STEPS[tiles]*deltaT])[0])
+                addRow(table, peer, state, scene, deltaT, theirs(peer, "W12", scene, MODULUS, [SOFT_STEPS[tiles]*deltaT])[0])
 
 
 def draw(table):

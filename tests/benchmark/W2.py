@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent/"peers"))
-from plainRuns import installed, ours, soft
+from plainRuns import installed, ours, theirs
 from plainScene import Grain, PlainScene, Plane, softStep
 from results import Table, pyplot, roundsOr, savePicture
 
@@ -86,7 +86,7 @@ def measure(table, peers):
         addRow(table, "nscdDEMFoam", "dt %g s, tolerance %g" % (deltaT, tolerance), deltaT, scene, run)
     for modulus in MODULI:
         for peer in peers:
-            addRow(table, peer, "E %.0e Pa" % modulus, softStep(scene, modulus), scene, soft(peer, "W2", scene, modulus, TIMES))
+            addRow(table, peer, "E %.0e Pa" % modulus, softStep(scene, modulus), scene, theirs(peer, "W2", scene, modulus, TIMES))
 
 
 def draw(table):
@@ -101,5 +101,5 @@ def draw(table):
 
 
 if __name__ == "__main__":
-    there = installed("LIGGGHTS", "LAMMPS")
+    there = installed("LIGGGHTS", "LAMMPS", "Yade")
     draw(Table("W2", COLUMNS, larger=("errorPercent", "seconds", "overlapLargest")).inRounds(lambda table: measure(table, there), roundsOr(1)))

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """W3: 1000 spheres on a plane that do not meet, sliding until they roll (A05) and on an incline about the angle where they begin to slide (A06):
-largest error of velocity and place against the analytic motion, and run time, for time steps of ours and stiffnesses of soft spheres."""
+largest error of velocity and place against the analytic motion, and run time, for time steps of rigid spheres, ours and Siconos', and stiffnesses of
+soft ones, LIGGGHTS', LAMMPS' and Yade's."""
 
 import math
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent/"peers"))
-from plainRuns import atRest, installed, ours, soft
+from plainRuns import atRest, installed, ours, theirs
 from plainScene import Grain, PlainScene, Plane, softStep
 from results import Table, pyplot, savePicture
 
@@ -21,6 +22,7 @@ CRITICAL = 2/7*math.tan(TILT)
 LADDER = (0.5, 0.9, 0.97, 0.99, 0.997, 1.003, 1.01, 1.03, 1.1, 2.0)     # friction of A06 over the critical one
 TIMES = {"A05": [4e-3*k for k in range(1, 9)], "A06": [16e-3*k for k in range(1, 9)]}
 STEPS = {"A05": (4e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 2e-5), "A06": (16e-3, 4e-3, 1e-3, 2e-4)}
+SICONOS_STEPS = {"A05": (4e-3, 1e-3, 2e-4), "A06": (16e-3, 4e-3, 1e-3)}
 MODULI = (1e5, 1e6, 1e7, 1e8)
 ROLLING = 1e-3      # slip over speed below which a grain rolls
 
@@ -77,7 +79,7 @@ def addRow(table, case, code, knob, scene, deltaT, times, run):
     table.add(case, code, knob, deltaT, error, figures["seconds"], *each, int(figures["steps"]))
 
 
-def measure(table, peers):
+def measure(table, softPeers, rigidPeers):
     for case in TIMES:
         scene, times = sceneOf(case), TIMES[case]
         for deltaT in STEPS[case]:
@@ -85,8 +87,11 @@ def measure(table, peers):
         for modulus in MODULI:
             deltaT = softStep(scene, modulus)
             at = [max(1, round(t/deltaT))*deltaT for t in times]
-            for peer in peers:
-                addRow(table, case, peer, "E %.0e Pa" % modulus, scene, deltaT, at, soft(peer, "W3", atRest(scene, modulus), modulus, times))
+            for peer in softPeers:
+                addRow(table, case, peer, "E %.0e Pa" % modulus, scene, deltaT, at, theirs(peer, "W3", atRest(scene, modulus), modulus, times))
+        for peer in rigidPeers:
+            for deltaT in SICONOS_STEPS[case]:
+                addRow(table, case, peer, "dt %g s" % deltaT, scene, deltaT, times, theirs(peer, "W3", scene, deltaT, times))
 
 
 def draw(table):
@@ -102,6 +107,6 @@ def draw(table):
 
 
 if __name__ == "__main__":
-    there = installed("LIGGGHTS", "LIGGGHTS undamped", "LAMMPS")
+    there = installed("LIGGGHTS", "LIGGGHTS undamped", "LAMMPS", "Yade"), installed("Siconos")
     draw(Table("W3", ["case", "code", "knob", "deltaT", "errorPercent", "seconds", "thresholdErrorPercent", "speedErrorPercent", "distanceErrorPercent", "steps"],
-               larger=("errorPercent", "thresholdErrorPercent", "seconds")).inRounds(lambda table: measure(table, there)))
+               larger=("errorPercent", "thresholdErrorPercent", "seconds")).inRounds(lambda table: measure(table, *there)))

@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent/"peers"))
-from plainRuns import installed, ours, soft
+from plainRuns import installed, ours, theirs
 from plainScene import Grain, PlainScene, Plane, softStep
 from results import BUILD, ROUNDS, Table, pyplot, savePicture
 
@@ -98,7 +98,7 @@ def simulate(scene, deltaT, tolerance):
 def simulateSoft(peer, scene, modulus):
     deltaT = softStep(scene, modulus)
     times = [round(t/deltaT)*deltaT for t in TIMES]
-    return Run(peer, "E %.0e Pa" % modulus, deltaT, scene, times, soft(peer, "W4", scene, modulus, TIMES))
+    return Run(peer, "E %.0e Pa" % modulus, deltaT, scene, times, theirs(peer, "W4", scene, modulus, TIMES))
 
 
 def measure(peers, seed):

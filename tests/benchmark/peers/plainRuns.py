@@ -9,9 +9,9 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from pinnedRun import CORE, pinned
-from plainScene import PEERS, restingDepth, softStep, writeData, writeOurs, writeSurface
+from plainPeers import PEERS, readRows
+from plainScene import restingDepth, writeData, writeOurs, writeSurface
 from results import BUILD, ROOT
-from softPeers import readDump
 from softRuns import ALONE
 
 PROGRAM = ROOT/"build/core/benchmark/dryWork"
@@ -19,10 +19,10 @@ PROGRAM = ROOT/"build/core/benchmark/dryWork"
 
 def installed(*peers):
     """Those of the peers that are there; the others are named."""
-    there = [peer for peer in peers if shutil.which(PEERS[peer][0])]
+    there = [peer for peer in peers if PEERS[peer].isThere(PEERS[peer])]
     for peer in peers:
         if peer not in there:
-            print("%s (program %s) is not installed: left out" % (peer, PEERS[peer][0]))
+            print("%s (program %s) is not installed: left out" % (peer, PEERS[peer].program))
     return there
 
 
@@ -42,23 +42,18 @@ def ours(name, scene, times, **options):
     return dict(zip(head.split(","), map(float, values.split(",")))), [readRows(folder/("grains.%d" % (k + 1))) for k in range(len(times))]
 
 
-def readRows(path):
-    with open(path) as file:
-        return [[float(word) for word in line.split()] for line in file]
-
-
-def soft(peer, name, scene, modulus, times):
-    """The same of a soft peer, at the steps nearest to these times; start-up, a run of one step, is subtracted. Of its figures, steps and seconds."""
-    folder = emptied(BUILD/"dry"/("%s.%s.%.0e" % (name, peer.replace(" ", ""), modulus)))
+def theirs(peer, name, scene, knob, times):
+    """The same of a peer, at the steps nearest to these times; start-up, a run of one step, is subtracted. Of its figures, steps and seconds."""
+    folder = emptied(BUILD/"dry"/("%s.%s.%.0e" % (name, peer.replace(" ", ""), knob)))
     writeData(scene, folder/"grains.data")
     writeSurface(scene, folder/"surface.stl")
-    program, make = PEERS[peer]
-    steps = [max(1, round(t/softStep(scene, modulus))) for t in times]
+    of = PEERS[peer]
+    steps = [max(1, round(t/of.step(scene, knob))) for t in times]
     costs = []
-    for kind, counts in (("start", [1]), ("whole", steps)):
-        (folder/(kind + ".in")).write_text(make(scene, modulus, "grains.data", "surface.stl", counts, kind))
-        costs.append(pinned(program, folder, CORE, kind + ".screen", ["-in", kind + ".in", "-log", kind + ".log"], ALONE).cpu)
-    return {"steps": steps[-1], "seconds": costs[1] - costs[0]}, [readDump(folder/("whole.%d" % (k + 1))) for k in range(len(times))]
+    for kind, counts in (("start", [1]*(len(steps) if of.writesInPython else 1)), ("whole", steps)):
+        (folder/(kind + ".in")).write_text(of.make(scene, knob, "grains.data", "surface.stl", counts, kind))
+        costs.append(pinned(of.program, folder, CORE, kind + ".screen", of.words(kind), ALONE).cpu)
+    return {"steps": steps[-1], "seconds": costs[1] - costs[0]}, [of.read(folder/("whole.%d" % (k + 1))) for k in range(len(times))]
 
 
 def atRest(scene, modulus):

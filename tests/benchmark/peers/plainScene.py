@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
-"""A dry scene that all programs run: grains, planes, triangles, friction by material; written for ours, LIGGGHTS and LAMMPS."""
+"""A dry scene that all programs run: grains, planes, triangles, friction by material; written for ours, LIGGGHTS and LAMMPS, and for those that Python
+drives."""
 
+import json
 import math
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 
 POISSON = 0.25
 PER_CONTACT = 20        # steps in the time of an impact
@@ -185,4 +187,7 @@ def undamped(*arguments):
     return liggghts(*arguments, more=" tangential_damping off")
 
 
-PEERS = {"LIGGGHTS": ("liggghts", liggghts), "LIGGGHTS undamped": ("liggghts", undamped), "LAMMPS": ("lmp", lammps)}
+def described(scene, deltaT, steps, prefix, **law):
+    """Input of a program that Python drives: all of it as JSON. Triangles and periods these do not have."""
+    assert not scene.triangles and not any(scene.periods)
+    return json.dumps({"scene": asdict(scene), "deltaT": deltaT, "steps": steps, "prefix": prefix, **law})
