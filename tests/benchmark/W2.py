@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """W2: 9240 spheres of 1.2 mm drop into a box of 44 x 10 mm and come to rest (C18's bed, dry; friction 0.1, restitution 0.3): force on the box against
-their weight, overlaps, time to rest and run time, beside LIGGGHTS and LAMMPS.
+their weight, overlaps, time to rest and run time, beside LIGGGHTS, LAMMPS and Yade.
 
 The error is the larger one of that force's, worst over windows of 2 ms in the last 50 ms (weight and what the grains' momentum changes by, in all codes),
 and of the largest overlap at the end in diameters."""

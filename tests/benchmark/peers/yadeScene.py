@@ -13,7 +13,9 @@ import sys
 from yade import (Bo1_Sphere_Aabb, Bo1_Wall_Aabb, ForceResetter, FrictMat, Ig2_Sphere_Sphere_ScGeom, Ig2_Wall_Sphere_ScGeom, InsertionSortCollider,
                   InteractionLoop, Ip2_FrictMat_FrictMat_MindlinPhys, Law2_ScGeom_MindlinPhys_Mindlin, MatchMaker, NewtonIntegrator, O, utils)
 
-VERLET = 0.1    # radii that lists of neighbors reach beyond contact
+# Radii that lists of neighbors reach beyond contact. In W2's bed, landing and landed, 0.05, 0.1, 0.2 and 0.5 took 11, 12, 13 and 14 ms a step, 200 steps
+# each beside other work: the first two are not told apart.
+VERLET = 0.1
 
 
 def addMaterials(given):
