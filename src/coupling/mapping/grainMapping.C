@@ -144,17 +144,16 @@ std::vector<LocatedBall> GrainMapping::locate(const ::nscd::Grains& grains, cons
 {
     std::vector<LocatedBall> balls(grains.nOwned);
     cells_.resize(grains.nOwned, -1);
-    label nearby = -1;   // where the grain before is: often near, for one that was nowhere yet
+    label nearby = -1;
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         const Vec3 center = box.any() ? box.wrap(grains.position[i]) : grains.position[i];
         const bool isThere = i < balls_.size() && balls_[i].center == center && balls_[i].cell == cells_[i];
         if (!isThere)
         {
-            const label cell = layout_->locator.find(center, cells_[i] >= 0 ? cells_[i] : nearby);
+            const label cell = cells_[i] >= 0 ? layout_->locator.find(center, cells_[i]) : layout_->locator.findBeside(center, nearby);
             if (cell >= 0 || !isMeshAhead_) cells_[i] = cell;
         }
-        nearby = cells_[i];
         balls[i] = {center, grains.radius[i], cells_[i]};
     }
     return balls;

@@ -128,12 +128,10 @@ void GrainHomes::askAround(const ::nscd::Grains& grains)
     listAstray(grains, astray, grainOf);
     std::vector<Answer> answers;
     std::vector<int> askers;
-    label nearby = -1;   // an own cell that held a point asked for before: often near the next
     for (const ::nscd::RoutedPoint& asked : ::nscd::routePoints(tree_, astray, box_))
     {
-        const CellHome home = find_(vectorOf(asked.position), nearby);
+        const CellHome home = find_(vectorOf(asked.position), -1);
         if (home.rank < 0) continue;
-        if (home.rank == Pstream::myProcNo()) nearby = home.cell;
         answers.push_back({asked.index, home});
         askers.push_back(asked.origin);
     }

@@ -21,8 +21,7 @@ const std::vector<label>& GrainLocations::update(const ::nscd::Grains& grains)
     label nearby = -1;
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
-        cells_[i] = locator_.find(grains.position[i], cells_[i] >= 0 ? cells_[i] : nearby);
-        nearby = cells_[i];
+        cells_[i] = cells_[i] >= 0 ? locator_.find(grains.position[i], cells_[i]) : locator_.findBeside(grains.position[i], nearby);
     }
     return cells_;
 }

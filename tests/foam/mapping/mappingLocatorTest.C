@@ -32,11 +32,13 @@ TEST(mappingLocator, findsTheCellsOfAShakenMesh)
     const MappingMesh mappingMesh = makeMappingMesh(box.mesh());
     const CellLocator locator(mappingMesh, box.mesh());
 
-    label guess = -1;
+    label guess = -1, nearby = -1;
     for (const Vec3& x : randomPoints(2000, Vec3(0, 0, 0), Vec3(6, 5, 7)))
     {
         const label expected = bruteForceCell(box.mesh(), x);
         EXPECT_EQ(locator.find(x, -1), expected);
+        EXPECT_EQ(locator.findBeside(x, nearby), expected);
+        EXPECT_EQ(nearby, expected);
         guess = locator.find(x, guess);
         EXPECT_EQ(guess, expected);
     }

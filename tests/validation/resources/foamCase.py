@@ -3,6 +3,7 @@
 """Cases read back, and small ones in a box written and run, for validation programs and tutorials."""
 
 import csv
+import glob
 import os
 import re
 import shutil
@@ -36,6 +37,18 @@ def vec(values):
     return "(%.17g %.17g %.17g)" % tuple(values)
 
 
+def rowsOfTable(lines):
+    """Names and rows of a table whose names stand in its last line of comments."""
+    lines = list(lines)
+    names = [line for line in lines if line.startswith("#")][-1].lstrip("#").split()
+    return [[name.split("[")[0] for name in names]] + [line.split() for line in lines if line.strip() and not line.startswith("#")]
+
+
+def whenStarted(path):
+    """Order of tables in postProcessing/NAME/START: by time, then as they were written."""
+    return float(path.split("/")[-2]), os.path.getmtime(path)
+
+
 class CaseFolder:
     """A case that ran, read back."""
 
@@ -44,14 +57,25 @@ class CaseFolder:
 
     def report(self):
         """Columns of report.csv as lists of floats: of the run and the restarts that continued it, one after another."""
-        root = os.path.join(self.folder, "postProcessing/grains")
+        return self.columns("grains/report.csv", lambda lines: list(csv.reader(line for line in lines if not line.startswith("#"))))
+
+    def series(self, table):
+        """The same of a table of a function object, NAME/FILE, by the names in its last line of comments, units left out."""
+        return self.columns(table, rowsOfTable)
+
+    def columns(self, table, rowsOf):
+        """Columns by names of a table NAME/FILE in postProcessing/NAME/START; rowsOf: names and rows, of its lines. Time is the first column.
+
+        Where a run starts again at the same time OpenFOAM leaves FILE alone, and writes FILE_START beside it."""
+        name, file = table.split("/")
         rows = []
-        for start in sorted(os.listdir(root), key=float):
-            with open(os.path.join(root, start, "report.csv")) as file:
-                added = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        for path in sorted(glob.glob("%s/postProcessing/%s/*/%s" % (self.folder, name, file.replace(".", "*."))), key=whenStarted):
+            with open(path) as lines:
+                names, *words = rowsOf(lines)
+            added = [dict(zip(names, map(float, row))) for row in words]
             if added:   # a run started at its end writes no row
-                rows = [row for row in rows if float(row["time"]) < float(added[0]["time"])] + added
-        return {key: [float(row[key]) for row in rows] for key in rows[0]}
+                rows = [row for row in rows if row[names[0]] < added[0][names[0]]] + added
+        return {key: [row[key] for row in rows] for key in rows[0]}
 
     def times(self):
         return sorted((name for name in os.listdir(self.folder) if re.fullmatch(r"[0-9.e+-]+", name)), key=float)

@@ -16,14 +16,6 @@ AIR_FLOW = 2.5*math.pi/2*0.05*0.03                                              
 SHOWN, MIDWAY, OUTSIDE = "0.4", 0.035, 0.045                                        # s; radii [m]
 
 
-def exits():
-    """Columns of grainFlux.dat by their names."""
-    path = "postProcessing/flux/0/grainFlux.dat"
-    with open(path) as file:
-        names = [line for line in file if line.startswith("#")][-1].lstrip("#").split()
-    return dict(zip(names, numpy.loadtxt(path).T))
-
-
 def profile():
     """x [m], tangential and upward velocity of the mean flow [m/s] across the axis."""
     x, _, v, w = numpy.loadtxt(sorted(glob.glob("postProcessing/profile/*/across_UMean.xy"))[-1]).T
@@ -77,7 +69,7 @@ def drawDust(axes, case, columns, labels):
 
 def main():
     case = CaseFolder(".")
-    report, flux = case.report(), exits()
+    report, flux = case.report(), {key: numpy.array(column) for key, column in case.series("flux/grainFlux.dat").items()}
     x, tangential, upward = profile()
     writeResults(results(case, report, flux, x, tangential, upward))
     figure, axes = newPicture(12, 4.2, columns=4, width_ratios=(1, 1.4, 1.7, 1.7))

@@ -2,7 +2,6 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """Pressure drop of the bed against time, the bed itself, and the figures that expected.csv judges: evaluate.py [width of the bed, m]"""
 
-import glob
 import math
 import sys
 
@@ -18,8 +17,7 @@ WIDTH = float(sys.argv[1]) if len(sys.argv) > 1 else 0.15     # of the bed [m]
 
 def pressureDrop():
     """Times and p_rgh at the distributor, which is 0 at the outlet; of the runs that followed one another."""
-    runs = sorted(glob.glob("postProcessing/pressureDrop/*/surfaceFieldValue.dat"), key=lambda path: float(path.split("/")[2]))
-    return numpy.concatenate([numpy.loadtxt(path) for path in runs]).T
+    return numpy.array(list(CaseFolder(".").series("pressureDrop/surfaceFieldValue.dat").values()))
 
 
 def blockError(values, blocks=10):

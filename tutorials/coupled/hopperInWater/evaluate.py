@@ -17,13 +17,9 @@ MASS = DENSITY*math.pi/6*D**3
 
 def discharge(folder):
     """Times since the gate dropped, and the mass that has come through the slot [kg], net."""
-    path = folder + "/postProcessing/flux/0/grainFlux.dat"
-    with open(path) as file:
-        names = [line for line in file if line.startswith("#")][-1].lstrip("#").split()
-    rows = numpy.loadtxt(path)
-    column = {name.split("[")[0]: rows[:, k] for k, name in enumerate(names)}
-    mass = column["slot.massForward"] - column["slot.massBackward"]
-    return rows[:, 0] - OPENED, mass
+    column = CaseFolder(folder).series("flux/grainFlux.dat")
+    mass = numpy.array(column["slot.massForward"]) - numpy.array(column["slot.massBackward"])
+    return numpy.array(column["Time"]) - OPENED, mass
 
 
 def rate(times, mass, first, last):

@@ -71,7 +71,7 @@ def main():
     case = CaseFolder(".")
     report = {key: numpy.array(column) for key, column in case.report().items()}
     fraction = 1 - report["grains"]*VOLUME/(SIDE**2*2*report["massCenterZ"])   # of a bed as high as twice its mass center
-    drop = numpy.loadtxt("postProcessing/pressureDrop/0/surfaceFieldValue.dat").T
+    drop = numpy.array(list(case.series("pressureDrop/surfaceFieldValue.dat").values()))
     weight = report["grains"][-1]*WEIGHT/SIDE**2
     writeResults(results(report, fraction, drop, weight))
     figure, axes = newPicture(10.5, 4, columns=5, width_ratios=(1, 1, 1, 3.4, 3.4))

@@ -40,10 +40,10 @@ def ergunDrop(alphas, U):
     return sum((150*(1 - a)**2*MU*U/(a**3*D**2) + 1.75*(1 - a)*RHO_F*U**2/(a**3*D))*HEIGHT/LAYERS for a in alphas)
 
 
-def measuredDrop(case, start):
+def measuredDrop(case):
     """{time: pressure at the inlet less that at the outlet, which is 0}."""
-    with open("%s/postProcessing/inletPressure/%s/surfaceFieldValue.dat" % (case.folder, start)) as file:
-        return {round(float(t), 6): float(p) for t, p in (line.split() for line in file if not line.startswith("#"))}
+    times, pressures = case.series("inletPressure/surfaceFieldValue.dat").values()
+    return {round(t, 6): p for t, p in zip(times, pressures)}
 
 
 def overLaw(case, drop, times):
@@ -74,7 +74,7 @@ def draw(case, drop, fineDrop):
 
 def main():
     case = CaseFolder(".")
-    drop, fineDrop = measuredDrop(case, "0"), {}
+    drop, fineDrop = measuredDrop(case), {}
     report = case.report()
     lifted = [p for t, p in drop.items() if t > 0.55]
     atRest = [error for t, error in zip(report["time"], report["momentumError"]) if 0.2 < t < 0.4]
@@ -83,7 +83,7 @@ def main():
                  ("grains lost", report["exited"][-1])])
     if sys.argv[1:] == ["fine"]:
         fine = CaseFolder("fine")
-        fineDrop = measuredDrop(fine, "0.4")
+        fineDrop = measuredDrop(fine)
         writeResults(overLaw(fine, fineDrop, BELOW[1:]), "resultsFine.csv")
     draw(case, drop, fineDrop)
 

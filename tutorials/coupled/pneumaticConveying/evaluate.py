@@ -54,16 +54,6 @@ def lonePath(d, z, w, air):
     return numpy.array(path)
 
 
-def exitMass():
-    """Times and mass [kg] that left by then."""
-    path = "postProcessing/flux/0/grainFlux.dat"
-    with open(path) as file:
-        names = [line for line in file if line.startswith("#")][-1].lstrip("#").split()
-    names = [name.split("[")[0] for name in names]
-    table = numpy.loadtxt(path)
-    return {name: table[:, k] for k, name in enumerate(names)}
-
-
 def binned(grains, isCoarse):
     """Middles of height bins, mean velocity of the coarse or fine grains in them, mean of the air at them."""
     edges = numpy.linspace(0, HEIGHT, 31)
@@ -118,7 +108,8 @@ def results(case, report, drop, times, out):
 def main():
     case = CaseFolder(".")
     report = {key: numpy.array(column) for key, column in case.report().items()}
-    drop, out = numpy.loadtxt("postProcessing/pressureDrop/0/surfaceFieldValue.dat").T, exitMass()
+    drop = numpy.array(list(case.series("pressureDrop/surfaceFieldValue.dat").values()))
+    out = {key: numpy.array(column) for key, column in case.series("flux/grainFlux.dat").items()}
     times = [t for t in case.times() if float(t) > SINCE]
     writeResults(results(case, report, drop, times, out))
     figure, axes = newPicture(11, 4, columns=4, width_ratios=(0.5, 2, 2, 2))

@@ -18,7 +18,7 @@ DOWN = ((1.125, 229.1), (0.820, 219.9), (0.675, 223.1), (0.628, 199.9), (0.547, 
 
 def curves():
     """(inflow, pressure drop) up and down, means over 20 ms."""
-    t, p = numpy.loadtxt("postProcessing/pressureDrop/0/surfaceFieldValue.dat").T
+    t, p = map(numpy.array, CaseFolder(".").series("pressureDrop/surfaceFieldValue.dat").values())
     t, p = (x[:len(x)//20*20].reshape(-1, 20).mean(axis=1) for x in (t, p))
     inflow = PEAK*numpy.maximum(0, 1 - abs(t - START - RAMP)/RAMP)
     up, down = (t > START) & (t <= START + RAMP), t > START + RAMP

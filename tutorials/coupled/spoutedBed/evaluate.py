@@ -57,7 +57,7 @@ def results(case, report, drop, weight):
 def main():
     case = CaseFolder(".")
     report = {key: numpy.array(column) for key, column in case.report().items()}
-    times, p = numpy.loadtxt("postProcessing/pressureDrop/0/surfaceFieldValue.dat").T
+    times, p = map(numpy.array, case.series("pressureDrop/surfaceFieldValue.dat").values())
     weight = report["grains"][-1]*math.pi/6*D**3*DENSITY*G/AREA
     writeResults(results(case, report, p[times > SINCE], weight))
     figure, axes = newPicture(11, 4, columns=4, width_ratios=(1, 1, 1, 1.3))

@@ -224,5 +224,14 @@ label CellLocator::find(const Vec3& position, const label guess) const
     return cell >= 0 ? cell : searchBetweenHalves(mesh_.inPlane(position));
 }
 
+// A walk may end in a halo cell beside an own one that holds the point too.
+label CellLocator::findBeside(const Vec3& position, label& nearby) const
+{
+    label cell = nearby >= 0 ? walk(nearby, mesh_.inPlane(position)) : -1;
+    if (!mesh_.isOwn(cell)) cell = find(position, -1);
+    if (mesh_.isOwn(cell)) nearby = cell;
+    return cell;
+}
+
 } // namespace nscdCoupling
 } // namespace Foam
