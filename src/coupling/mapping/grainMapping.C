@@ -38,7 +38,7 @@ scalar readLargestSolidFraction(const dictionary& dict)
 
 bool isSame(const LocatedBall& a, const LocatedBall& b)
 {
-    return a.center == b.center && a.radius == b.radius && a.cell == b.cell;
+    return a.center == b.center && a.radius == b.radius && a.cell == b.cell && !a.isHeld && !b.isHeld;
 }
 
 void addTo(scalar& to, const scalar share, const scalar from)
@@ -135,8 +135,7 @@ void GrainMapping::growHalo(const ::nscd::Grains& grains, const scalar reachOfBo
     if (largest > layout_->reach)
     {
         layout_.reset(new Layout(mesh_, largest, largestSolidFraction_, grainDimensions_ == 2));
-        balls_.clear();
-        isBuilt_ = false;
+        forgetRows();
     }
 }
 
@@ -148,13 +147,12 @@ std::vector<LocatedBall> GrainMapping::locate(const ::nscd::Grains& grains, cons
     for (std::size_t i = 0; i < grains.nOwned; ++i)
     {
         const Vec3 center = box.any() ? box.wrap(grains.position[i]) : grains.position[i];
-        const bool isThere = i < balls_.size() && balls_[i].center == center && balls_[i].cell == cells_[i];
-        if (!isThere)
-        {
-            const label cell = cells_[i] >= 0 ? layout_->locator.find(center, cells_[i]) : layout_->locator.findBeside(center, nearby);
-            if (cell >= 0 || !isMeshAhead_) cells_[i] = cell;
-        }
-        balls[i] = {center, grains.radius[i], cells_[i]};
+        const bool isThere = i < balls_.size() && balls_[i].center == center && balls_[i].cell == cells_[i] && !balls_[i].isHeld;
+        const label last = cells_[i];
+        if (!isThere) cells_[i] = last >= 0 ? layout_->locator.find(center, last) : layout_->locator.findBeside(center, nearby);
+        const bool isHeld = isMeshAhead_ && cells_[i] < 0 && last >= 0;
+        if (isHeld) cells_[i] = last;
+        balls[i] = {center, grains.radius[i], cells_[i], isHeld};
     }
     return balls;
 }
@@ -183,7 +181,8 @@ void GrainMapping::listMissing(const ::nscd::Grains& grains)
 scalar GrainMapping::buildRow(const LocatedBall& ball, const bool isHome, WeightMatrix& rows)
 {
     const std::size_t first = rows.shares.size();
-    const scalar covered = isHome ? method_.appendShares(layout_->tools, ball, rows.shares) : 1;
+    if (ball.isHeld && isHome) rows.shares.push_back({ball.cell, 1});
+    const scalar covered = isHome && !ball.isHeld ? method_.appendShares(layout_->tools, ball, rows.shares) : 1;
     scalar sum = 0;
     for (std::size_t k = first; k < rows.shares.size(); ++k)
     {
@@ -207,11 +206,7 @@ scalar GrainMapping::buildRow(const LocatedBall& ball, const bool isHome, Weight
 // Rows made for balls do not serve bodies, nor the other way.
 void GrainMapping::setBodies(const MappedBodies& bodies)
 {
-    if (bodies.empty() != bodies_.empty())
-    {
-        balls_.clear();
-        isBuilt_ = false;
-    }
+    if (bodies.empty() != bodies_.empty()) forgetRows();
     bodies_ = bodies;
 }
 
@@ -261,15 +256,20 @@ bool GrainMapping::updateRows(std::vector<LocatedBall> balls)
     return true;
 }
 
+void GrainMapping::forgetRows()
+{
+    balls_.clear();
+    covered_.clear();
+    weights_.clear();
+    ballWeights_.clear();
+    isBuilt_ = false;
+}
+
 void GrainMapping::erase(const std::vector<std::size_t>& grains)
 {
     eraseAt(cells_, grains);
     isBuilt_ = false;
-    if (hasBodies())
-    {
-        balls_.clear();
-        return;
-    }
+    if (hasBodies()) return forgetRows();
     eraseAt(balls_, grains);
     eraseAt(covered_, grains);
     weights_.erase(grains);

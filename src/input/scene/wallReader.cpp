@@ -111,7 +111,7 @@ void addBoxSides(const CheckedEntries& given, const Surroundings& around, Scene&
     const std::array<Vec3, 2> corners = given.twoVecs("box", unit::length);
     const Words usable = usableSides(around);
     const Words sides = given.choices("sides", usable, usable);
-    if (sides.empty()) given.reject("sides", "is empty: the box has no wall", "", usable);
+    if (sides.empty() && given.found("sides")) given.reject("sides", "is empty: the box has no wall", "", usable);
     for (int k = 0; k < 3; ++k)
     {
         const bool isFree = std::find(usable.begin(), usable.end(), sideNames[2*k]) == usable.end();

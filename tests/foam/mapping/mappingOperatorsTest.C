@@ -210,6 +210,36 @@ void expectSame(const GrainMapping& found, const GrainMapping& expected)
     EXPECT_EQ(found.report().outsideMesh, expected.report().outsideMesh);
 }
 
+TEST(grainMapping, holdsGrainsOnlyWhileTheMeshIsAhead)
+{
+    BoxMesh box(unitCells(labelVector(3, 3, 3)));
+    GrainMapping mapping(box.mesh(), mappingDict("exact"));
+    const ::nscd::Grains grains = makeGrains({Vec3(1.5, 1.5, 1.5), Vec3(3.2, 1.5, 1.5)}, 0.4);
+    mapping.setMeshAhead(true);
+    mapping.lookFirstIn({-1, 14});
+    EXPECT_TRUE(mapping.update(grains, {}).outsideMesh.empty());
+    EXPECT_EQ(mapping.cells(), (std::vector<label>{13, 14}));
+    EXPECT_EQ(mapping.weights().shares.back().cell, 14);
+    EXPECT_EQ(mapping.weights().shares.back().share, 1);
+    EXPECT_NEAR(mapping.report().volumeDeposited/mapping.report().grainVolume, 1, 1e-14);
+    mapping.setMeshAhead(false);
+    EXPECT_EQ(mapping.update(grains, {}).outsideMesh, std::vector<std::int64_t>{grains.id[1]});
+}
+
+TEST(grainMapping, isEmptyWhenTheLastBodyIsErased)
+{
+    BoxMesh box(unitCells(labelVector(3, 3, 3)));
+    GrainMapping mapping(box.mesh(), mappingDict("exact"));
+    const MappedBodies pair{{0, 0}, {0.5, 0.5}, {0.1}, 1};
+    mapping.update(makeGrains({Vec3(1.5, 1.5, 1.5), Vec3(1.9, 1.5, 1.5)}, 0.3), {}, pair);
+    EXPECT_NEAR(mapping.report().volumeDeposited, 0.1, 1e-15);
+    mapping.erase({0, 1});
+    mapping.update(makeGrains({}, 0.3), {}, MappedBodies());
+    EXPECT_EQ(mapping.weights().nRows(), 0);
+    EXPECT_EQ(mapping.report().volumeDeposited, 0);
+    EXPECT_EQ(mapping.report().grainVolume, 0);
+}
+
 // Rows of grains that have not moved are kept, whatever the others do, or come and go.
 TEST(grainMapping, anUpdateIsAsAMappingMadeAnew)
 {

@@ -444,11 +444,11 @@ TEST(Program, stopsAtTolerancesThatSolveNothing)
             + " } } PIMPLE { nCorrectors 2; }";
     };
     const std::string file = "system/fvSolution", right = "tolerance 1e-9; relTol 0.1;";
-    EXPECT_TRUE(isRefusedWith(file, solution("tolerance 1e-9; relTol 1e12;", right), {file, "line 3", "relTol is out of range", "1e+12", ">= 0 and < 1"}));
-    EXPECT_TRUE(isRefusedWith(file, solution(right, "tolerance 1e-9; relTol 1;"), {file, "line 4", "relTol is out of range", "< 1"}));
+    EXPECT_TRUE(isRefusedWith(file, solution("tolerance 1e-9; relTol 1e12;", right), {file, "line 3", "relTol is out of range", "1e+12", ">= 0 and <= 1"}));
+    EXPECT_TRUE(isRefusedWith(file, solution(right, "tolerance 1e-9; relTol 1.5;"), {file, "line 4", "relTol is out of range", "<= 1"}));
     EXPECT_TRUE(isRefusedWith(file, solution(right, "tolerance 1e-9; relTol -0.1;"), {file, "line 4", "relTol is out of range", ">= 0"}));
-    EXPECT_TRUE(isRefusedWith(file, solution("tolerance 1e3; relTol 0;", right), {file, "line 3", "tolerance is out of range", "< 1"}));
-    EXPECT_TRUE(succeeds(ProgramCase(Files{{file, solution(right, "tolerance 1; relTol 1; minIter 3;")}}).run()));
+    EXPECT_TRUE(isRefusedWith(file, solution("tolerance 1e3; relTol 0;", right), {file, "line 3", "tolerance is out of range", "<= 1"}));
+    EXPECT_TRUE(succeeds(ProgramCase(Files{{file, solution(right, "tolerance 2; relTol 2; minIter 3;")}}).run()));
 }
 
 TEST(Program, stopsAtWhatTheTurbulenceModelLacks)

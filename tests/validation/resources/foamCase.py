@@ -40,7 +40,7 @@ def vec(values):
 def rowsOfTable(lines):
     """Names and rows of a table whose names stand in its last line of comments."""
     lines = list(lines)
-    names = [line for line in lines if line.startswith("#")][-1].lstrip("#").split()
+    names = ([line for line in lines if line.startswith("#")] or [""])[-1].lstrip("#").split()
     return [[name.split("[")[0] for name in names]] + [line.split() for line in lines if line.strip() and not line.startswith("#")]
 
 
@@ -69,10 +69,11 @@ class CaseFolder:
         Where a run starts again at the same time OpenFOAM leaves FILE alone, and writes FILE_START beside it."""
         name, file = table.split("/")
         rows = []
-        for path in sorted(glob.glob("%s/postProcessing/%s/*/%s" % (self.folder, name, file.replace(".", "*."))), key=whenStarted):
+        for path in sorted(glob.glob("%s/postProcessing/%s/*/%s" % (glob.escape(self.folder), name, file.replace(".", "*."))), key=whenStarted):
             with open(path) as lines:
-                names, *words = rowsOf(lines)
-            added = [dict(zip(names, map(float, row))) for row in words]
+                names, *words = rowsOf(lines) or [[]]
+            # A run that was stopped may leave half a row.
+            added = [dict(zip(names, map(float, row))) for row in words if len(row) == len(names)]
             if added:   # a run started at its end writes no row
                 rows = [row for row in rows if row[names[0]] < added[0][names[0]]] + added
         return {key: [row[key] for row in rows] for key in rows[0]}

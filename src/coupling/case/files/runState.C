@@ -62,6 +62,17 @@ void beginRunState(const Time& time)
 }
 
 
+/// Without the count that OpenFOAM writes before a list: a user may take names out.
+void addNames(dictionary& dict, const word& keyword, const fileNameList& names)
+{
+    OStringStream text;
+    text << keyword << " (";
+    for (const fileName& name : names) text << ' ' << string(name);
+    text << " );";
+    dict.merge(dictionary(IStringStream(text.str())()));
+}
+
+
 void writeRunState(const polyMesh& mesh, const RunState& state)
 {
     const fileName folder = mesh.time().timePath();
@@ -72,7 +83,7 @@ void writeRunState(const polyMesh& mesh, const RunState& state)
     dict.add("grains", state.nGrains);
     dict.add("contacts", state.nContacts);
     dict.add("materials", state.materials);
-    dict.add("files", restartFiles(mesh.time()));
+    addNames(dict, "files", restartFiles(mesh.time()));
     dictionary numbers;
     for (const auto& number : state.numbers) numbers.add(number.first, number.second);
     dict.add("numbers", numbers);

@@ -54,8 +54,9 @@ void checkVersion(const std::string& path)
     constexpr double latest = 100;
     std::ifstream file(path, std::ios::binary);
     const std::string begin = beginOf(file), keyword = "version";
-    const std::size_t at = begin.find(keyword);
-    if (at == std::string::npos) return;
+    const std::size_t header = begin.find('{', std::min(begin.find("FoamFile"), begin.size()));
+    const std::size_t at = begin.find(keyword, std::min(header, begin.size()));
+    if (at == std::string::npos || at > begin.find('}', header)) return;
     const double version = std::strtod(begin.c_str() + at + keyword.size(), nullptr);
     if (version >= 0 && version <= latest) return;
     fail({placeInFile(path, "FoamFile." + keyword), "is out of range", messageText(version), "2.0"});

@@ -132,7 +132,8 @@ void checkSchemes(const fvMesh& mesh, const surfaceScalarField& phi, bool isAver
     fv::laplacianScheme<scalar, scalar>::New(mesh, mesh.laplacianScheme("laplacian(rAU,p_rgh)"));
 }
 
-/// OpenFOAM's residuals are 1 at most: from there on it iterates as often as minIter says, and without that not at all.
+/// OpenFOAM's residuals are 1 at most: beyond that it iterates as often as minIter says, and without that not at all.
+/// A smoother with a fixed number of sweeps (nSweeps below 0) does not look at them.
 void checkTolerances(const dictionary& dict)
 {
     const input::Dictionary entries = valuesFromFoam(dict);
@@ -140,11 +141,7 @@ void checkTolerances(const dictionary& dict)
     toldByFoam([&]
     {
         input::Range range = input::atLeast(0);
-        if (given.integer("minIter", 0, 0) == 0)
-        {
-            range.upper = 1;
-            range.includesUpper = false;
-        }
+        if (given.integer("minIter", 0, 0) == 0 && dict.getOrDefault<label>("nSweeps", 1) > 0) range.upper = 1;
         for (const char* keyword : {"tolerance", "relTol"}) given.number(keyword, range, 0);
     });
 }

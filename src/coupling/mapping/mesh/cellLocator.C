@@ -190,6 +190,7 @@ label CellLocator::searchBetweenHalves(const Vec3& x) const
 {
     if (!hasHalves_) return -1;
     const label face = nearestBorder(polyMesh_, toFoam(x)).face;
+    if (face < 0) return -1;
     const label patch = polyMesh_.boundaryMesh().whichPatch(face);
     return isBetweenHalves(polyMesh_.boundaryMesh()[patch]) ? polyMesh_.faceOwner()[face] : -1;
 }
