@@ -149,7 +149,7 @@ std::vector<LocatedBall> GrainMapping::locate(const ::nscd::Grains& grains, cons
         const Vec3 center = box.any() ? box.wrap(grains.position[i]) : grains.position[i];
         const bool isThere = i < balls_.size() && balls_[i].center == center && balls_[i].cell == cells_[i] && !balls_[i].isHeld;
         const label last = cells_[i];
-        if (!isThere) cells_[i] = last >= 0 ? layout_->locator.find(center, last) : layout_->locator.findBeside(center, nearby);
+        if (!isThere) cells_[i] = layout_->locator.find(center, last, nearby);
         const bool isHeld = isMeshAhead_ && cells_[i] < 0 && last >= 0;
         if (isHeld) cells_[i] = last;
         balls[i] = {center, grains.radius[i], cells_[i], isHeld};

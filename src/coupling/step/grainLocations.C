@@ -19,10 +19,7 @@ const std::vector<label>& GrainLocations::update(const ::nscd::Grains& grains)
 {
     cells_.resize(grains.nOwned, -1);
     label nearby = -1;
-    for (std::size_t i = 0; i < grains.nOwned; ++i)
-    {
-        cells_[i] = cells_[i] >= 0 ? locator_.find(grains.position[i], cells_[i]) : locator_.findBeside(grains.position[i], nearby);
-    }
+    for (std::size_t i = 0; i < grains.nOwned; ++i) cells_[i] = locator_.find(grains.position[i], cells_[i], nearby);
     return cells_;
 }
 

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 """A plain scene in Yade, which runs this: yade -n -x -j1 yadeScene.py INPUT, where plainScene.described wrote INPUT.
 
-Hertz, Mindlin's stiffness without slip, Coulomb. Damping is by the restitution (Thornton, Cummins and Cleary 2013, eq. B6 and B7, a fit): a sphere of
+Hertz, Mindlin's stiffness without slip, Coulomb. Damping is by the restitution (Thornton, Cummins and Cleary 2013, eq. B6 and B7, a fit). Tried by hand, a sphere of
 2 mm that meets a plane at 1 m/s in steps of a twentieth of the impact, at 1e5 and 1e7 Pa, leaves with 0.301 and 0.299 for 0.3, 0.503 and 0.501 for 0.5,
 0.902 and 0.901 for 0.9, 0.098 and 0.096 for 0.1. No damping acts along contacts that slide. Velocities are those of half a step before."""
 

@@ -37,7 +37,7 @@ TEST(mappingLocator, findsTheCellsOfAShakenMesh)
     {
         const label expected = bruteForceCell(box.mesh(), x);
         EXPECT_EQ(locator.find(x, -1), expected);
-        EXPECT_EQ(locator.findBeside(x, nearby), expected);
+        EXPECT_EQ(locator.find(x, -1, nearby), expected);
         EXPECT_EQ(nearby, expected);
         guess = locator.find(x, guess);
         EXPECT_EQ(guess, expected);

@@ -188,8 +188,7 @@ def average(values):
 
 def averages(case):
     report = case.report()
-    with open(os.path.join(case.folder, "postProcessing/drop/0/surfaceFieldValue.dat")) as file:
-        drop = [float(line.split()[1]) for line in file if line[0] != "#"]
+    _, drop = case.series("drop/surfaceFieldValue.dat").values()
     skip = round(BED_START/BED_DT)
     return {"mass center [m]": average(report["massCenterZ"][skip:]), "kinetic energy [J]": average(report["kineticEnergy"][skip:]),
             "pressure drop [Pa]": average(drop[skip:])}

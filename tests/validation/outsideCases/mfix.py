@@ -119,12 +119,8 @@ def coneFactor(friction, slope=0.5/0.6):
 
 def massThrough(case, plane):
     """Times, and the mass that has come through a plane of grainFlux until then."""
-    path = case.folder + "/postProcessing/flux/0/grainFlux.dat"
-    lines = open(path).read().splitlines()
-    names = [line for line in lines if line.startswith("#")][-1].lstrip("#").split()
-    column = {each.split("[")[0]: k for k, each in enumerate(names)}
-    rows = [[float(value) for value in line.split()] for line in lines if not line.startswith("#")]
-    return [row[0] for row in rows], [row[column[plane + ".massForward"]] - row[column[plane + ".massBackward"]] for row in rows]
+    table = case.series("flux/grainFlux.dat")
+    return table["Time"], [forward - backward for forward, backward in zip(table[plane + ".massForward"], table[plane + ".massBackward"])]
 
 
 def mixer3d(verdict):

@@ -226,8 +226,9 @@ label CellLocator::find(const Vec3& position, const label guess) const
 }
 
 // A walk may end in a halo cell beside an own one that holds the point too.
-label CellLocator::findBeside(const Vec3& position, label& nearby) const
+label CellLocator::find(const Vec3& position, const label guess, label& nearby) const
 {
+    if (guess >= 0) return find(position, guess);
     label cell = nearby >= 0 ? walk(nearby, mesh_.inPlane(position)) : -1;
     if (!mesh_.isOwn(cell)) cell = find(position, -1);
     if (mesh_.isOwn(cell)) nearby = cell;
