@@ -16,9 +16,4 @@ void updateGeometry(ContactList& list, const Scene& scene);
 /// The same, of pairs of grains alone, in the blocks first .. end - 1.
 void updatePairs(ContactList& list, const Scene& scene, std::size_t first, std::size_t end);
 
-/// Turns the normals of awake contacts of two grains that are closed to where the motion of the step has brought these; velocities become those that the
-/// impulses give there, and gaps stay those at the step's start. Pairs that were aimed (see aimFastPairs) have the normal of their impact already;
-/// walls, and members of general bodies, keep that of the step's start.
-void turnClosedNormals(ContactList& list, const Scene& scene, double deadBand);
-
 } // namespace nscd

@@ -5,7 +5,6 @@
 // Tested by tests/unit/nscd/step/shockWorkTest.cpp
 #include "nscd/step/grainDynamicsParts.hpp"
 
-#include "nscd/contacts/contactGeometry.hpp"
 #include "nscd/solvers/help/andersonAcceleration.hpp"
 
 #include <cmath>
@@ -27,11 +26,7 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     list.bodies = inelastic.bodies;
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
     // What the motion leaves a film between does not hit, however thin the film.
-    const double threshold = 2.0*external.speedScale, closed = materials.anyRoughness() ? 0.0 : deadBand();
-    if (!setRestitutionBias(list, freeBodies, threshold, closed)) return false;
-    turnClosedNormals(list, scene(), closed);
-    setRestitutionBias(list, freeBodies, threshold, closed);
-    inelastic.bodies = list.bodies;
+    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, materials.anyRoughness() ? 0.0 : deadBand())) return false;
 
     ContactProblem problem = makeProblem(external.speedScale);
     problem.times = nullptr;   // all of it is the rebound
