@@ -5,7 +5,9 @@
 #include "nscd/contacts/contactGeometry.hpp"
 
 #include "nscd/base/invalidValue.hpp"
+#include "nscd/contacts/general/generalSweep.hpp"
 #include "nscd/contacts/wallContacts.hpp"
+#include "nscd/kernels/applyImpulse.hpp"
 
 #include <cstring>
 #include <limits>
@@ -131,6 +133,21 @@ void updateWall(ContactList& list, const Scene& scene, std::size_t slot, int a)
     setSlot(list, slot, n, isBehind || !isFacing ? std::numeric_limits<double>::max() : near.distance - list.radius[a]);
 }
 
+/// Turns the normal of a pair to the present places; its impulse acts there now.
+void turnNormal(ContactList& list, const Scene& scene, std::size_t slot)
+{
+    const ContactBlock& block = list.blocks[slot/blockLanes];
+    const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
+    Vec3 x = list.position[a] - list.position[b];
+    for (int axis = 0; axis < 3; ++axis) x[axis] -= list.image[slot][axis]*scene.box.length[axis];
+    const Vec3 before = normal(list, slot), now = x.normalized(), back = -impulse(list, slot);
+    const Vec3 r = admissible(-back, now, block.friction[slot % blockLanes]);
+    applyImpulse(list.bodies[a], list.bodies[b], before.data(), back.data());
+    applyImpulse(list.bodies[a], list.bodies[b], now.data(), r.data());
+    setSlot(list, slot, now, list.gap[slot]);
+    setImpulse(list, slot, r);
+}
+
 } // namespace
 
 void updatePairs(ContactList& list, const Scene& scene, std::size_t first, std::size_t end)
@@ -144,6 +161,29 @@ void updateGeometry(ContactList& list, const Scene& scene)
     updatePairs(list, scene, 0, list.blocks.size());
     for (std::size_t slot : list.slotsOfWalls) updateWall(list, scene, slot, list.blocks[slot/blockLanes].a[slot % blockLanes]);
     suppressGhosts(list, scene);
+}
+
+std::vector<KeptNormal> turnClosedNormals(ContactList& list, const Scene& scene, double deadBand)
+{
+    std::vector<KeptNormal> before;
+    std::vector<std::uint8_t> isKept(list.slots(), 0);
+    for (std::size_t slot : list.aimedPairs) isKept[slot] = 1;
+    const std::size_t ofSingleGrains = list.general.empty() ? list.slots() : list.general.firstBlock*blockLanes;
+    list.halo.giveVelocities(list.bodies);
+    forEachAwakeSlot(list, [&](std::size_t slot)
+    {
+        if (slot >= ofSingleGrains || !list.isUsed(slot) || list.wall[slot] >= 0 || isKept[slot] || !isClosed(list, slot, deadBand)) return;
+        before.push_back({slot, normal(list, slot)});
+        turnNormal(list, scene, slot);
+    });
+    list.halo.takeVelocities(list.bodies);
+    list.halo.giveVelocities(list.bodies);
+    return before;
+}
+
+void setNormals(ContactList& list, const std::vector<KeptNormal>& normals)
+{
+    for (const KeptNormal& kept : normals) setSlot(list, kept.slot, kept.n, list.gap[kept.slot]);
 }
 
 } // namespace nscd

@@ -16,4 +16,19 @@ void updateGeometry(ContactList& list, const Scene& scene);
 /// The same, of pairs of grains alone, in the blocks first .. end - 1.
 void updatePairs(ContactList& list, const Scene& scene, std::size_t first, std::size_t end);
 
+/// A contact's normal, kept.
+struct KeptNormal
+{
+    std::size_t slot;
+    Vec3 n;
+};
+
+/// Turns the normals of awake contacts of two grains that are closed to where the motion of the step has brought these, and their impulses, made admissible;
+/// velocities become those that the impulses give there. Gaps stay those at the step's start. Pairs that were aimed (see aimFastPairs) have the normal of
+/// their impact already; walls, and members of general bodies, keep that of the step's start.
+/// Returns the normals before.
+std::vector<KeptNormal> turnClosedNormals(ContactList& list, const Scene& scene, double deadBand);
+
+void setNormals(ContactList& list, const std::vector<KeptNormal>& normals);
+
 } // namespace nscd

@@ -129,6 +129,12 @@ inline Vec3 normal(const ContactList& list, std::size_t slot)
     return Vec3(block.n[0][lane], block.n[1][lane], block.n[2][lane]);
 }
 
+/// Whether a contact is loaded, or nearer than the dead band.
+inline bool isClosed(const ContactList& list, std::size_t slot, double deadBand)
+{
+    return list.gap[slot] <= deadBand || impulse(list, slot).dot(normal(list, slot)) > 0.0;
+}
+
 /// Slots of the blocks that can matter in this step: all contacts that are closed, may close, or carry an impulse. visit(slot)
 template<class Visit>
 void forEachAwakeSlot(const ContactList& list, const Visit& visit)

@@ -250,13 +250,12 @@ bool setRestitutionBias(ContactList& list, const std::vector<Body>& freeBodies, 
         ContactBlock& block = list.blocks[slot/blockLanes];
         const int lane = slot % blockLanes;
         const Vec3 n = normal(list, slot);
-        const bool isLoaded = impulse(list, slot).dot(n) > 0.0;
-        const bool isClosed = isLoaded || list.gap[slot] <= deadBand;
+        const bool isInShock = isClosed(list, slot, deadBand);
         const double approach = -n.dot(Vec3(freeBodies[block.a[lane]].v) - Vec3(freeBodies[block.b[lane]].v));
         // Newton's law holds for closed contacts that part in the free motion too (u_n >= -e u_n^- < 0): only then does e = 1
         // keep the energy, r.(u + u^-) = 0 contact by contact. What parts in truth has r = 0.
-        const bool isRebounding = isClosed && list.restitution[slot] > 0.0 && std::abs(approach) > threshold;
-        block.bias[lane] = isRebounding ? -list.restitution[slot]*approach : isClosed ? 0.0 : unreachable;
+        const bool isRebounding = isInShock && list.restitution[slot] > 0.0 && std::abs(approach) > threshold;
+        block.bias[lane] = isRebounding ? -list.restitution[slot]*approach : isInShock ? 0.0 : unreachable;
         anyRebound = anyRebound || isRebounding;
     });
     return list.halo.any(anyRebound);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "nscd/base/stepTimes.hpp"
+#include "nscd/contacts/contactGeometry.hpp"
 #include "nscd/contacts/contactList.hpp"
 #include "nscd/contacts/movingWalls.hpp"
 #include "nscd/contacts/storedImpulses.hpp"
@@ -46,6 +47,7 @@ struct GrainDynamics::Implementation
     MovingWalls movingWalls{walls};
     std::unique_ptr<WallSearch> wallSearch;
     bool areWallsOutlined = false;     // any
+    bool areSomeStopped = false;       // on their way in this step, on any rank
     bool isAnyFast = false;            // of grains, on any rank: outlined walls on their ways are looked for
     std::vector<int> atMissedWalls;    // own bodies that have come to walls which the list lacks
     std::vector<double> reachToMany;   // of the list
@@ -148,7 +150,14 @@ struct GrainDynamics::Implementation
     StepReport restingReport() const;
     /// Returns whether there was any, whose forces grains have then.
     bool rebound(const ExternalForces& external, SolveReport& report);
-    SolveReport judgedRebound(const std::vector<Body>& freeBodies, const Shock& inelastic, SolveReport shock);
+    /// A motion at the normals that a shock has, and those that it had itself, where they are others.
+    struct TurnedMotion
+    {
+        Shock motion;
+        std::vector<KeptNormal> before;
+    };
+    TurnedMotion turnMotion(const std::vector<Body>& freeBodies, const Shock& inelastic, double closed);
+    SolveReport judgedRebound(const std::vector<Body>& freeBodies, const Shock& inelastic, const TurnedMotion& there, SolveReport shock);
     OverlapStatistics placeContacts();
     void correctPositions(StepReport& report);
 };

@@ -26,14 +26,17 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     list.bodies = inelastic.bodies;
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
     // What the motion leaves a film between does not hit, however thin the film.
-    if (!setRestitutionBias(list, freeBodies, 2.0*external.speedScale, materials.anyRoughness() ? 0.0 : deadBand())) return false;
+    const double threshold = 2.0*external.speedScale, closed = materials.anyRoughness() ? 0.0 : deadBand();
+    if (!setRestitutionBias(list, freeBodies, threshold, closed)) return false;
+    gatherImpulses(list.blocks, {inelastic.blocks.data(), inelastic.blocks.size()}, inelastic.impulses);
+    inelastic.ofLaws.clear();
+    for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) inelastic.ofLaws.push_back(list.laws.impulses(slot));
+    const TurnedMotion there = turnMotion(freeBodies, inelastic, closed);
+    setRestitutionBias(list, freeBodies, threshold, closed);
 
     ContactProblem problem = makeProblem(external.speedScale);
     problem.times = nullptr;   // all of it is the rebound
     problem.isShock = true;
-    gatherImpulses(list.blocks, {inelastic.blocks.data(), inelastic.blocks.size()}, inelastic.impulses);
-    inelastic.ofLaws.clear();
-    for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) inelastic.ofLaws.push_back(list.laws.impulses(slot));
     // Nothing moves with these velocities within the step, so no displacement limits them: the rms tolerance alone does.
     ContactSettings shockSettings = settings;
     shockSettings.displacementTolerance = 1.0;
@@ -52,7 +55,7 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
         if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
         return rebound(external, report);
     }
-    const SolveReport judged = judgedRebound(freeBodies, inelastic, shock);
+    const SolveReport judged = judgedRebound(freeBodies, inelastic, there, shock);
     report = worstOf(judged, report);
     report.shockWork = judged.shockWork;
     report.shockResidualWork = judged.shockResidualWork;
@@ -66,13 +69,36 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     return true;
 }
 
-SolveReport GrainDynamics::Implementation::judgedRebound(const std::vector<Body>& freeBodies, const Shock& inelastic, SolveReport shock)
+/// The motion's solution at the normals where it has brought the grains, for the shock to act at, which is to leave pairs along their present tangents. What
+/// stopped on its way is not where velocities say; and where turned impulses would have energy come from nowhere, all normals stay.
+GrainDynamics::Implementation::TurnedMotion GrainDynamics::Implementation::turnMotion(const std::vector<Body>& freeBodies, const Shock& inelastic, double closed)
+{
+    TurnedMotion there{inelastic, {}};
+    if (areSomeStopped) return there;
+    there.before = turnClosedNormals(list, scene(), closed);
+    if (shockWork(list, freeBodies, 0.0).work > 0.0)
+    {
+        setNormals(list, there.before);
+        list.bodies = inelastic.bodies;
+        swapImpulses(list, there.motion);
+        return {inelastic, {}};
+    }
+    there.motion.bodies = list.bodies;
+    gatherImpulses(list.blocks, {list.awake.data(), list.awake.size()}, there.motion.impulses);
+    return there;
+}
+
+SolveReport GrainDynamics::Implementation::judgedRebound
+(
+    const std::vector<Body>& freeBodies, const Shock& inelastic, const TurnedMotion& there, SolveReport shock
+)
 {
     const double residual = shock.residualRms*std::sqrt(static_cast<double>(shock.contacts));
     ShockWork account = shockWork(list, freeBodies, residual);
     const bool isFromNowhere = !shock.converged && account.work > 0.0;   // what an unconverged solve may have of energy is no excuse
     if ((shock.atCap && (isFromNowhere || mayHaveNoSolution())) || isJammed(shock, makeProblem(shock.speedScale)))
     {
+        setNormals(list, there.before);   // of these alone it is known that it takes energy
         reboundOfMotion(list, freeBodies, inelastic);
         account = shockWork(list, freeBodies, residual);
         shock.converged = shock.atCap = false;
@@ -80,7 +106,7 @@ SolveReport GrainDynamics::Implementation::judgedRebound(const std::vector<Body>
     }
     shock.shockWork = account.work;
     shock.shockResidualWork = account.residualWork;
-    if (shock.hasGainedEnergy() || (!shock.converged && account.work > 0.0)) shock.reboundShare = limitRebound(list, freeBodies, inelastic);
+    if (shock.hasGainedEnergy() || (!shock.converged && account.work > 0.0)) shock.reboundShare = limitRebound(list, freeBodies, shock.isReboundOfMotion ? inelastic : there.motion);
     return shock;
 }
 

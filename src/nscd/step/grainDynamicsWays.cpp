@@ -135,6 +135,7 @@ void GrainDynamics::Implementation::lookForFast(const ListPlan& plan, const std:
 
 double GrainDynamics::Implementation::moveBodies(StepReport& report)
 {
+    areSomeStopped = false;
     if (!isAnyFast) return moveGrains(list, grains, box, deltaT, isFrictional);
     const std::vector<Stop> stops = findStops(list, wallsOfStep(), deltaT);
     const double displacement = moveGrains(list, grains, box, deltaT, isFrictional);
@@ -144,6 +145,7 @@ double GrainDynamics::Implementation::moveBodies(StepReport& report)
         grains.position[list.grainOf[stop.body]] = box.wrap(list.position[stop.body]);
     }
     report.stoppedOnWay = static_cast<std::size_t>(list.halo.sum(static_cast<double>(stops.size())));
+    areSomeStopped = report.stoppedOnWay > 0;
     list.halo.give(list.position);
     return displacement;
 }

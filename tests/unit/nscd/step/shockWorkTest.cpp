@@ -55,6 +55,33 @@ TEST(Shock, twoBodiesFollowNewton)
     }
 }
 
+/// A pair that meets aside, by less than a quarter of its size a step: impulses are those of the normal that it has at the end of the step, and so are spins.
+TEST(Shock, actsAtTheNormalsWhereTheMotionBroughtTheGrains)
+{
+    for (double friction : {0.0, 0.3})
+    {
+        Scene scene(3, friction, 0.5);
+        const Vec3 aside = Vec3(1, 0.7, 0.2).normalized();
+        scene.addGrain(Vec3::Zero(), radius);
+        scene.addGrain(2*radius*1.01*aside, radius);
+        const Vec3 v(1, 0, 0);
+        scene.grains.velocity[0] = v;
+        auto dynamics = scene.build();
+        step(dynamics, Vec3::Zero(), 2e-3);
+        const nscd::Grains& grains = dynamics.grains();
+        const Vec3 n = (grains.position[0] - grains.position[1]).normalized(), change = grains.velocity[0] - v;
+        EXPECT_GT((n + aside).norm(), 0.02);   // it has turned
+        EXPECT_LT(change.dot(v), -0.1);
+        EXPECT_NEAR(n.dot(grains.velocity[0] - grains.velocity[1]), -0.5*n.dot(v), 1e-9);
+        const Vec3 moment = -radius*n.cross(grains.mass[0]*change);
+        EXPECT_NEAR((0.4*grains.mass[0]*radius*radius*grains.omega[0] - moment).norm(), 0.0, 1e-12*grains.mass[0]*radius);
+        if (friction == 0.0)
+        {
+            EXPECT_NEAR(n.cross(change).norm(), 0.0, 1e-9);
+        }
+    }
+}
+
 TEST(Shock, threeTouchingBallsFollowMoreauAndNewton)
 {
     for (double e : {1.0, 0.0})
