@@ -49,6 +49,7 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
         report = together(shock, report);
         // A shock goes through everything that touches: once more, with nobody asleep.
         swapImpulses(list, inelastic);
+        setNormals(list, there.before);
         awakePart.giveBack(list, forcesOnBodies());
         giveUpSleep();
         prepareSolve(external);
@@ -70,11 +71,12 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
 }
 
 /// The motion's solution at the normals where it has brought the grains, for the shock to act at, which is to leave pairs along their present tangents. What
-/// stopped on its way is not where velocities say; and where turned impulses would have energy come from nowhere, all normals stay.
+/// stopped on its way is not where velocities say; other laws give their impulses along the normals of the step's start; and where turned impulses would have
+/// energy come from nowhere, all normals stay.
 GrainDynamics::Implementation::TurnedMotion GrainDynamics::Implementation::turnMotion(const std::vector<Body>& freeBodies, const Shock& inelastic, double closed)
 {
     TurnedMotion there{inelastic, {}};
-    if (areSomeStopped) return there;
+    if (areSomeStopped || !list.laws.empty()) return there;
     there.before = turnClosedNormals(list, scene(), closed);
     if (shockWork(list, freeBodies, 0.0).work > 0.0)
     {
