@@ -134,13 +134,11 @@ void updateWall(ContactList& list, const Scene& scene, std::size_t slot, int a)
 }
 
 /// Turns the normal of a pair to the present places; its impulse acts there now.
-void turnNormal(ContactList& list, const Scene& scene, std::size_t slot)
+void turnNormal(ContactList& list, const PeriodicBox& box, std::size_t slot)
 {
     const ContactBlock& block = list.blocks[slot/blockLanes];
     const int a = block.a[slot % blockLanes], b = block.b[slot % blockLanes];
-    Vec3 x = list.position[a] - list.position[b];
-    for (int axis = 0; axis < 3; ++axis) x[axis] -= list.image[slot][axis]*scene.box.length[axis];
-    const Vec3 before = normal(list, slot), now = x.normalized(), back = -impulse(list, slot);
+    const Vec3 before = normal(list, slot), now = distanceOfPair(list, box, slot).normalized(), back = -impulse(list, slot);
     const Vec3 r = admissible(-back, now, block.friction[slot % blockLanes]);
     applyImpulse(list.bodies[a], list.bodies[b], before.data(), back.data());
     applyImpulse(list.bodies[a], list.bodies[b], now.data(), r.data());
@@ -163,7 +161,15 @@ void updateGeometry(ContactList& list, const Scene& scene)
     suppressGhosts(list, scene);
 }
 
-std::vector<KeptNormal> turnClosedNormals(ContactList& list, const Scene& scene, double deadBand)
+Vec3 distanceOfPair(const ContactList& list, const PeriodicBox& box, std::size_t slot)
+{
+    const ContactBlock& block = list.blocks[slot/blockLanes];
+    Vec3 x = list.position[block.a[slot % blockLanes]] - list.position[block.b[slot % blockLanes]];
+    for (int axis = 0; axis < 3; ++axis) x[axis] -= list.image[slot][axis]*box.length[axis];
+    return x;
+}
+
+std::vector<KeptNormal> turnClosedNormals(ContactList& list, const PeriodicBox& box, double deadBand)
 {
     std::vector<KeptNormal> before;
     std::vector<std::uint8_t> isKept(list.slots(), 0);
@@ -174,7 +180,7 @@ std::vector<KeptNormal> turnClosedNormals(ContactList& list, const Scene& scene,
     {
         if (slot >= ofSingleGrains || !list.isUsed(slot) || list.wall[slot] >= 0 || isKept[slot] || !isClosed(list, slot, deadBand)) return;
         before.push_back({slot, normal(list, slot)});
-        turnNormal(list, scene, slot);
+        turnNormal(list, box, slot);
     });
     list.halo.takeVelocities(list.bodies);
     list.halo.giveVelocities(list.bodies);

@@ -150,13 +150,15 @@ struct GrainDynamics::Implementation
     StepReport restingReport() const;
     /// Returns whether there was any, whose forces grains have then.
     bool rebound(const ExternalForces& external, SolveReport& report);
-    /// A motion at the normals that a shock has, and those that it had itself, where they are others.
+    /// The motion at the normals that a shock has, and those that it had itself; none where these stay.
     struct TurnedMotion
     {
         Shock motion;
         std::vector<KeptNormal> before;
+
+        bool isAny() const { return !motion.bodies.empty(); }
     };
-    TurnedMotion turnMotion(const std::vector<Body>& freeBodies, const Shock& inelastic, double closed);
+    TurnedMotion turnMotion(const std::vector<Body>& freeBodies, const Shock& inelastic, double band);
     SolveReport judgedRebound(const std::vector<Body>& freeBodies, const Shock& inelastic, const TurnedMotion& there, SolveReport shock);
     OverlapStatistics placeContacts();
     void correctPositions(StepReport& report);

@@ -26,13 +26,13 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     list.bodies = inelastic.bodies;
     // Below twice what the forces add in a step a rebound is noise of a resting contact.
     // What the motion leaves a film between does not hit, however thin the film.
-    const double threshold = 2.0*external.speedScale, closed = materials.anyRoughness() ? 0.0 : deadBand();
-    if (!setRestitutionBias(list, freeBodies, threshold, closed)) return false;
+    const double threshold = 2.0*external.speedScale, band = materials.anyRoughness() ? 0.0 : deadBand();
+    if (!setRestitutionBias(list, freeBodies, threshold, band)) return false;
     gatherImpulses(list.blocks, {inelastic.blocks.data(), inelastic.blocks.size()}, inelastic.impulses);
     inelastic.ofLaws.clear();
     for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) inelastic.ofLaws.push_back(list.laws.impulses(slot));
-    const TurnedMotion there = turnMotion(freeBodies, inelastic, closed);
-    setRestitutionBias(list, freeBodies, threshold, closed);
+    const TurnedMotion there = turnMotion(freeBodies, inelastic, band);
+    if (there.isAny()) setRestitutionBias(list, freeBodies, threshold, band);
 
     ContactProblem problem = makeProblem(external.speedScale);
     problem.times = nullptr;   // all of it is the rebound
@@ -70,24 +70,24 @@ bool GrainDynamics::Implementation::rebound(const ExternalForces& external, Solv
     return true;
 }
 
-/// The motion's solution at the normals where it has brought the grains, for the shock to act at, which is to leave pairs along their present tangents. What
+/// Turns the list to the normals where the motion has brought the grains, for the shock to act at, which is to leave pairs along their present tangents. What
 /// stopped on its way is not where velocities say; other laws give their impulses along the normals of the step's start; and where turned impulses would have
 /// energy come from nowhere, all normals stay.
-GrainDynamics::Implementation::TurnedMotion GrainDynamics::Implementation::turnMotion(const std::vector<Body>& freeBodies, const Shock& inelastic, double closed)
+GrainDynamics::Implementation::TurnedMotion GrainDynamics::Implementation::turnMotion(const std::vector<Body>& freeBodies, const Shock& inelastic, double band)
 {
-    TurnedMotion there{inelastic, {}};
-    if (areSomeStopped || !list.laws.empty()) return there;
-    there.before = turnClosedNormals(list, scene(), closed);
-    if (shockWork(list, freeBodies, 0.0).work > 0.0)
-    {
-        setNormals(list, there.before);
-        list.bodies = inelastic.bodies;
-        swapImpulses(list, there.motion);
-        return {inelastic, {}};
-    }
+    if (areSomeStopped || !list.laws.empty()) return {};
+    TurnedMotion there;
+    there.before = turnClosedNormals(list, box, band);
     there.motion.bodies = list.bodies;
-    gatherImpulses(list.blocks, {list.awake.data(), list.awake.size()}, there.motion.impulses);
-    return there;
+    there.motion.blocks = inelastic.blocks;
+    there.motion.general = inelastic.general;
+    gatherImpulses(list.blocks, {inelastic.blocks.data(), inelastic.blocks.size()}, there.motion.impulses);
+    if (!(shockWork(list, freeBodies, 0.0).work > 0.0)) return there;
+    setNormals(list, there.before);
+    list.bodies = inelastic.bodies;
+    there.motion.impulses = inelastic.impulses;
+    swapImpulses(list, there.motion);
+    return {};
 }
 
 SolveReport GrainDynamics::Implementation::judgedRebound
@@ -108,7 +108,8 @@ SolveReport GrainDynamics::Implementation::judgedRebound
     }
     shock.shockWork = account.work;
     shock.shockResidualWork = account.residualWork;
-    if (shock.hasGainedEnergy() || (!shock.converged && account.work > 0.0)) shock.reboundShare = limitRebound(list, freeBodies, shock.isReboundOfMotion ? inelastic : there.motion);
+    const Shock& motion = there.isAny() && !shock.isReboundOfMotion ? there.motion : inelastic;
+    if (shock.hasGainedEnergy() || (!shock.converged && account.work > 0.0)) shock.reboundShare = limitRebound(list, freeBodies, motion);
     return shock;
 }
 

@@ -4,6 +4,8 @@
 // Pairs that move by much of their size in a step, and meet, or pass one another, within it.
 #include "nscd/step/sweptPairs.hpp"
 
+#include "nscd/contacts/contactGeometry.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -16,14 +18,6 @@ namespace
 
 /// Share of the radii's sum that a pair must move in a step to be aimed: slower ones turn by little before they meet.
 constexpr double fastShare = 0.25;
-
-/// Vector from b to a, through the periodic side that the slot is about.
-Vec3 distanceOf(const ContactList& list, const PeriodicBox& box, std::size_t slot, int a, int b)
-{
-    Vec3 x = list.position[a] - list.position[b];
-    for (int axis = 0; axis < 3; ++axis) x[axis] -= list.image[slot][axis]*box.length[axis];
-    return x;
-}
 
 /// Sets normal and gap to those at the place that a pair of grains comes to in `time`, along that normal; x = from b to a, u = its velocity.
 void aim(ContactList& list, std::size_t slot, const Vec3& x, const Vec3& u, double radii, double time)
@@ -63,7 +57,7 @@ void aimFastPairs(ContactList& list, const PeriodicBox& box, double deltaT)
     for (std::size_t slot : list.aimedPairs)
     {
         const auto [a, b] = bodiesOf(slot);
-        aim(list, slot, distanceOf(list, box, slot, a, b), Vec3::Zero(), list.radius[a] + list.radius[b], 0.0);
+        aim(list, slot, distanceOfPair(list, box, slot), Vec3::Zero(), list.radius[a] + list.radius[b], 0.0);
     }
     list.aimedPairs.clear();
     for (std::size_t slot : list.fastPairs)
@@ -72,7 +66,7 @@ void aimFastPairs(ContactList& list, const PeriodicBox& box, double deltaT)
         const Vec3 u = Vec3(list.bodies[a].v) - Vec3(list.bodies[b].v);
         const double radii = list.radius[a] + list.radius[b], speed2 = u.squaredNorm(), fast = fastShare*radii;
         if (!(deltaT*deltaT*speed2 > fast*fast)) continue;
-        const Vec3 x = distanceOf(list, box, slot, a, b);
+        const Vec3 x = distanceOfPair(list, box, slot);
         const double distance2 = x.squaredNorm(), approach = -x.dot(u), touching = (1.0 + nearest)*radii;
         if (!(distance2 > touching*touching && approach > 0.0)) continue;
         // |x + u t| = radii at the smaller root, or nearest at -x.u/u.u where there is none.
