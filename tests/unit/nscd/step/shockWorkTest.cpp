@@ -269,6 +269,27 @@ TEST(Shock, touchingClustersWithFrictionNeverGainEnergy)
     EXPECT_GT(limited, 0);
 }
 
+/// Steps in which the grains turn around one another by up to a tenth, and more sweeps than some shocks get.
+TEST(Shock, ofClustersThatTurnInAStepNeverGainsEnergy)
+{
+    std::mt19937 random(7);
+    for (double friction : {0.5, 1.5})
+    for (double e : {0.5, 1.0})
+    for (int maxSweeps : {30, 1000})
+    for (int cluster = 0; cluster < 20; ++cluster)
+    {
+        nscd::ContactSettings settings;
+        settings.maxSweeps = maxSweeps;
+        const Scene scene = packedCluster(friction, e, random);
+        auto dynamics = scene.build(settings);
+        const double before = nscd::kineticEnergy(dynamics.grains());
+        const Vec3 start = momentum(dynamics.grains());
+        const nscd::SolveReport report = step(dynamics, Vec3::Zero(), 2e-3).solve;
+        EXPECT_LE(nscd::kineticEnergy(dynamics.grains()), before*(1 + 1e-9) + report.shockResidualWork) << friction << " " << e << " " << maxSweeps << " " << cluster;
+        EXPECT_NEAR((momentum(dynamics.grains()) - start).norm(), 0.0, 1e-12) << cluster;
+    }
+}
+
 TEST(Shock, frictionDissipatesInADenseElasticGas)
 {
     const Scene scene = gas(3, 6, 2.06*radius, 0.5, 1.0);

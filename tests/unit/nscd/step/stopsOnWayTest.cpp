@@ -82,6 +82,20 @@ TEST(StopsOnWay, areWhereTheGrainTouchesAndLeaveItsVelocityToTheNextStep)
     }
 }
 
+TEST(StopsOnWay, leaveOtherImpactsOfTheirStepTheirNormals)
+{
+    // Side by side at 60 m/s, the second closing in at 1 m/s: it goes on beside the floor's edge, far below the first one, which the floor stops.
+    Scene scene = withTiles(0.0, 1.0);
+    addShot(scene, Vec3(0.197, 0.002, 0.04), 0.005, Vec3(0, 0, -60));
+    addShot(scene, Vec3(0.2072, 0.002, 0.04), 0.005, Vec3(-1, 0, -60));
+    auto dynamics = scene.build();
+    EXPECT_EQ(step(dynamics, Vec3::Zero(), deltaT).stoppedOnWay, 1u);
+    const nscd::Grains& grains = dynamics.grains();
+    EXPECT_LT(grains.position[1][2], grains.position[0][2] - 0.02);
+    EXPECT_LT((grains.velocity[0] - Vec3(-1, 0, -60)).norm(), 1e-8);
+    EXPECT_LT((grains.velocity[1] - Vec3(0, 0, -60)).norm(), 1e-8);
+}
+
 TEST(StopsOnWay, giveTheWallTheWholeImpulse)
 {
     Scene scene = withTiles(0.3, 1.0);
