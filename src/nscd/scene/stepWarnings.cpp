@@ -89,6 +89,17 @@ Warning frictionHeld(const SolveReport& report)
     );
 }
 
+Warning squeezed(const SolveReport& report)
+{
+    return measured
+    (
+        "squeezed",
+        "walls or driven grains that move seem to leave the others no room: no velocities were found that keep all apart, not even without friction, and some still close by %.3g m/s; "
+        "grains overlap for as long as that lasts, and forces of such steps mean nothing; a wall that stops earlier or moves more slowly would do",
+        report.residualMax, "m/s"
+    );
+}
+
 Warning energyFromNowhere(const SolveReport& report)
 {
     return measured
@@ -119,6 +130,7 @@ std::vector<Warning> warnings(const SolveReport& report)
     if (report.hiddenMassRatio > 0.0) all.push_back(unlikeMasses(report));
     if (report.hasGainedEnergy()) all.push_back(scaledRebounds(report));
     if (report.isHeld) all.push_back(frictionHeld(report));
+    if (report.isSqueezed) all.push_back(squeezed(report));
     if (report.isReboundOfMotion) all.push_back(reboundOfMotion(report));
     if (report.createdEnergy > 0.0) all.push_back(energyFromNowhere(report));
     if (!report.converged && !report.atCap && !report.isHeld && !report.isReboundOfMotion) all.push_back(forcesOff(report));

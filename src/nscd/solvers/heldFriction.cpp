@@ -48,6 +48,18 @@ private:
     std::unique_ptr<SweepMomentum> momentum_;
 };
 
+/// Sweeps and nothing else.
+struct PlainHelp
+{
+    ContactProblem& problem;
+
+    DefectSums pass() { return sweepActive(problem); }
+    int afterSweep(int, const DefectSums&, const StopRule&) { return 0; }
+    bool polish(const DefectSums&, const StopRule&) { return true; }
+    void forget() {}
+    void complete(SolveReport&, const StopRule&) {}
+};
+
 /// The problem with friction held, on the same blocks and bodies.
 ContactProblem heldProblem(const ContactProblem& problem, const SweepKernels& kernels)
 {
@@ -206,5 +218,19 @@ SolveReport HeldSolve::solve()
 }
 
 SolveReport solveHeld(ContactProblem& problem, const ContactSettings& settings) { return HeldSolve(problem, settings).solve(); }
+
+SolveReport solvePressed(ContactProblem& problem, const ContactSettings& settings)
+{
+    const SweepKernels kernels = held(problem.kernels);
+    const FrictionBounds none(problem);
+    ContactProblem convex = heldProblem(problem, kernels);
+    PlainHelp help{convex};
+    SolveReport report = sweepUntilMet(convex, settings, help);
+    report.frictionOff = none.off();
+    report.isHeld = report.converged;
+    report.isSqueezed = report.atCap = !report.converged;
+    report.converged = false;
+    return report;
+}
 
 } // namespace nscd

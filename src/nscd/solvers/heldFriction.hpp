@@ -76,4 +76,9 @@ private:
 ///           residual is met), else report.isHeld, and frictionOff by how much; atCap where not even the convex problem was solved
 SolveReport solveHeld(ContactProblem& problem, const ContactSettings& settings);
 
+/// Solves a problem without friction by plain sweeps: where walls leave grains no room it has no solution, and impulses grow for ever, but velocities
+/// stay about those of the walls. Momentum makes them swing beyond.
+/// Ensures: as solveHeld(), never converged
+SolveReport solvePressed(ContactProblem& problem, const ContactSettings& settings);
+
 } // namespace nscd

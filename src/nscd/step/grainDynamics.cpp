@@ -6,6 +6,7 @@
 
 #include "nscd/base/invalidValue.hpp"
 #include "nscd/contacts/contactGeometry.hpp"
+#include "nscd/solvers/heldFriction.hpp"
 #include "nscd/step/generalCorrection.hpp"
 #include "nscd/step/overlapCorrection.hpp"
 #include "nscd/step/sweptPairs.hpp"
@@ -175,6 +176,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     ContactProblem problem = prepareProblem(external);
     SolveReport report = solveBy(solve, problem, asked, external);
     if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem))) report = together(report, holdFriction(external, asked));
+    if (mayBeSqueezed(report)) report = together(report, solveAnew(solvePressed, external, asked));
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     return report;
 }

@@ -17,8 +17,12 @@ namespace nscd
 /// solution that is not yet sharp, as of a bed from cold, and nearer to Coulomb's law than friction that is held.
 bool GrainDynamics::Implementation::isHarmful(const SolveReport& report) const
 {
-    const SolverStrategy::Held& strategy = settings.strategy.held;
-    return report.atCap && (mayHaveNoSolution() || report.createdEnergy > 0.0 || report.residualMax*deltaT > strategy.overlap*diameter);
+    return report.atCap && (mayHaveNoSolution() || report.createdEnergy > 0.0 || leavesOverlap(report));
+}
+
+bool GrainDynamics::Implementation::leavesOverlap(const SolveReport& report) const
+{
+    return report.residualMax*deltaT > settings.strategy.held.overlap*diameter;
 }
 
 /// Whether a contact carries far more than all contacts together give the grains: where Coulomb's law has no solution impulses grow until what they
@@ -41,14 +45,28 @@ bool GrainDynamics::Implementation::isJammed(const SolveReport& report, const Co
     return std::sqrt(list.halo.max(largest2)) > (report.atCap ? strategy.jamAtCap : strategy.jam)*(netImpulse(problem) + list.halo.sum(mass)*report.speedScale);
 }
 
-/// The step's problem once more, without what impulses the first solve left: those may be of any size.
-SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& external, const ContactSettings& asked)
+/// The step's problem once more, without what impulses the solve before left: those may be of any size.
+SolveReport GrainDynamics::Implementation::solveAnew(ContactSolver solver, const ExternalForces& external, const ContactSettings& asked)
 {
     for (ContactBlock& block : list.blocks) std::fill_n(&block.r[0][0], 3*blockLanes, 0.0);
     // Laws beside Coulomb's that work within sweeps know of no bounds that are held: such a step is solved without them.
     for (std::size_t slot = 0; slot < list.slots() && list.laws.haveImpulses(); ++slot) list.laws.setImpulses(slot, noLawImpulses());
     ContactProblem problem = prepareProblem(external);
-    return solveBy(solveHeld, problem, asked, external);
+    return solveBy(solver, problem, asked, external);
+}
+
+SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& external, const ContactSettings& asked)
+{
+    return solveAnew(solveHeld, external, asked);
+}
+
+/// Whether walls or driven grains may have left the others no room: what goes through such a step would fly off, by momentum of sweeps and by impulses of
+/// any size that the next step begins with.
+bool GrainDynamics::Implementation::mayBeSqueezed(const SolveReport& report) const
+{
+    if (!settings.strategy.held.isOn || !report.atCap || !leavesOverlap(report)) return false;
+    const auto drives = [&](const Body& body) { return body.invMass == 0.0 && Vec3(body.v).norm() > report.speedScale; };
+    return list.halo.any(std::any_of(list.bodies.begin(), list.bodies.end(), drives));
 }
 
 /// Kinetic energy of what moves here [J], without the spins.

@@ -131,6 +131,9 @@ struct GrainDynamics::Implementation
     bool mayHaveNoSolution() const { return materials.largestFriction() >= settings.strategy.held.frictionToJam; }
     bool isHarmful(const SolveReport& report) const;
     bool isJammed(const SolveReport& report, const ContactProblem& problem) const;
+    bool leavesOverlap(const SolveReport& report) const;
+    bool mayBeSqueezed(const SolveReport& report) const;
+    SolveReport solveAnew(ContactSolver solver, const ExternalForces& external, const ContactSettings& asked);
     SolveReport holdFriction(const ExternalForces& external, const ContactSettings& asked);
     ContactSettings ofTrial() const;
     double translationalEnergy() const;

@@ -292,3 +292,63 @@ TEST(FrictionBounds, giveCoefficientsBack)
     }
     EXPECT_EQ(random.blocks[1].friction[3], 0.5);
 }
+
+namespace
+{
+
+/// What came of grains under a lid that comes down on them by a tenth of a diameter a step.
+struct Pressed
+{
+    int squeezed = 0, unnamed = 0;   ///< steps; the last: squeezed, and without a word
+    double fastest = 0.0;            ///< of any grain at any time, over the lid's speed
+    double overlap = 0.0, overlapAtEnd = 0.0;   ///< [d]
+    int squeezedAtEnd = 0;           ///< of the last 50 steps
+};
+
+/// 288 grains, periodic sideways, until they fill 0.68 of what is below the lid, more than spheres at random can; then the lid waits for 200 steps.
+Pressed pressBed(double friction, double speed = 0.1)
+{
+    const double d = 1e-3, side = 6*d, top = 12*d, dt = 1e-3, low = 288*d*d*d*0.5236/(0.68*side*side);
+    Scene scene(3, friction, 0.0);
+    scene.box.length = Vec3(side, side, 0);
+    nscd::addLattice(scene.grains, {{0, 0, 0}, {side, side, 10*d}, {6, 6, 8}, d, 0.0, 0.5}, 2650.0, 0);
+    scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
+    const int lid = scene.walls.addPatch("lid", 1);
+    scene.walls.addPlane(lid, Vec3(0, 0, top), -Vec3::UnitZ());
+    const double way = speed*d/dt;
+    scene.walls.setMotion(lid, nscd::translationBy([=](double t) { return Vec3(0, 0, std::max(low - top, -way*t)); }));
+    auto dynamics = scene.build(nscd::ContactSettings());
+    const int steps = static_cast<int>((top - low)/(way*dt)) + 200;
+    Pressed pressed;
+    for (int k = 0; k < steps; ++k)
+    {
+        const nscd::StepReport report = step(dynamics, scene.g, dt);
+        const auto warnings = nscd::warnings(report.solve);
+        const bool isNamed = std::any_of(warnings.begin(), warnings.end(), [](const nscd::Warning& w) { return w.kind == "squeezed"; });
+        pressed.squeezed += report.solve.isSqueezed;
+        pressed.unnamed += report.solve.isSqueezed && !isNamed;
+        pressed.squeezedAtEnd += k >= steps - 50 && report.solve.isSqueezed;
+        pressed.overlap = std::max(pressed.overlap, report.overlapMax);
+        pressed.overlapAtEnd = report.overlapMax;
+        for (const Vec3& v : dynamics.grains().velocity) pressed.fastest = std::max(pressed.fastest, v.norm()/way);
+    }
+    std::printf("friction %g: squeezed %d unnamed %d end %d fastest %g overlap %g end %g\n", friction, pressed.squeezed, pressed.unnamed, pressed.squeezedAtEnd, pressed.fastest, pressed.overlap, pressed.overlapAtEnd);
+    return pressed;
+}
+
+} // namespace
+
+/// Nothing keeps all apart: grains overlap by what the lid takes, none flies off, the log says so, and they heal once it waits.
+TEST(Squeezed, grainsWithoutRoomStayWhereTheyAre)
+{
+    for (double friction : {0.0, 0.3, 1.0})
+    {
+        const Pressed pressed = pressBed(friction);
+        EXPECT_GT(pressed.squeezed, 0) << friction;
+        EXPECT_EQ(pressed.unnamed, 0) << friction;
+        EXPECT_LT(pressed.fastest, 5.0) << friction;
+        EXPECT_LT(pressed.overlap, 0.1) << friction;
+        EXPECT_EQ(pressed.squeezedAtEnd, 0) << friction;
+        EXPECT_LT(pressed.overlapAtEnd, 5e-3) << friction;
+    }
+}
