@@ -23,7 +23,7 @@ struct SolveReport
     /// Coulomb's law had no solution, or none that sweeps found: friction was held within bounds that it comes near, velocities are those of a convex
     /// problem, which was solved. See heldFriction.hpp.
     bool isHeld = false;
-    bool isSqueezed = false;    ///< walls or driven grains move so that the others have no room, as it seems: at the cap even without friction
+    bool isSqueezed = false;    ///< walls or driven grains move so that the others have no room, as it seems: at the cap, and some still close
     double frictionOff = 0.0;   ///< sum of what held friction is off Coulomb's, over the sum of mu r_n [-]
     double createdEnergy = 0.0; ///< work of the impulses of a step that has not converged, beyond round-off, where it is positive [J]
     double residualRms = 0.0;   ///< natural map over active contacts, rms [m/s]

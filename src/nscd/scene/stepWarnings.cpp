@@ -94,7 +94,7 @@ Warning squeezed(const SolveReport& report)
     return measured
     (
         "squeezed",
-        "walls or driven grains that move seem to leave the others no room: no velocities were found that keep all apart, not even without friction, and some still close by %.3g m/s; "
+        "walls or driven grains that move seem to leave the others no room: no velocities were found that keep all apart, and some still close by %.3g m/s; "
         "grains overlap for as long as that lasts, and forces of such steps mean nothing; a wall that stops earlier or moves more slowly would do",
         report.residualMax, "m/s"
     );

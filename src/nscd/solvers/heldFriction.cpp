@@ -228,7 +228,7 @@ SolveReport solvePressed(ContactProblem& problem, const ContactSettings& setting
     SolveReport report = sweepUntilMet(convex, settings, help);
     report.frictionOff = none.off();
     report.isHeld = report.converged;
-    report.isSqueezed = report.atCap = !report.converged;
+    report.atCap = !report.converged;
     report.converged = false;
     return report;
 }

@@ -176,7 +176,8 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     ContactProblem problem = prepareProblem(external);
     SolveReport report = solveBy(solve, problem, asked, external);
     if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem))) report = together(report, holdFriction(external, asked));
-    if (mayBeSqueezed(report)) report = together(report, solveAnew(solvePressed, external, asked));
+    if (isFlung(report)) report = together(report, solveAnew(solvePressed, external, asked));
+    report.isSqueezed = mayBeSqueezed(report);
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     return report;
 }

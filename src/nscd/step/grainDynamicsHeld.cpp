@@ -60,13 +60,37 @@ SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& ex
     return solveAnew(solveHeld, external, asked);
 }
 
-/// Whether walls or driven grains may have left the others no room: what goes through such a step would fly off, by momentum of sweeps and by impulses of
-/// any size that the next step begins with.
+/// Whether walls or driven grains that move may have left the others no room: at the cap, and some still close.
 bool GrainDynamics::Implementation::mayBeSqueezed(const SolveReport& report) const
 {
-    if (!settings.strategy.held.isOn || !report.atCap || !leavesOverlap(report)) return false;
-    const auto drives = [&](const Body& body) { return body.invMass == 0.0 && Vec3(body.v).norm() > report.speedScale; };
-    return list.halo.any(std::any_of(list.bodies.begin(), list.bodies.end(), drives));
+    return report.atCap && leavesOverlap(report) && list.halo.max(fastestDriven2()) > report.speedScale*report.speedScale;
+}
+
+/// Whether a solve at the cap left far more motion than there was, and than driven bodies have: its impulses are of any size, and their changes, by momentum of
+/// sweeps or by the turn of a normal since they were kept, throw grains about.
+bool GrainDynamics::Implementation::isFlung(const SolveReport& report) const
+{
+    if (!settings.strategy.held.isOn || !report.atCap) return false;
+    double sums[2] = {0.0, 0.0};   // kinetic energy of the free motion [J]; mass [kg]
+    for (int body = 0; body < list.owned(); ++body)
+    {
+        if (list.bodies[body].invMass == 0.0) continue;
+        sums[0] += 0.5*freeVelocity[body].squaredNorm()/list.bodies[body].invMass;
+        sums[1] += 1.0/list.bodies[body].invMass;
+    }
+    list.halo.sum(sums, 2);
+    return translationalEnergy() > settings.strategy.held.energy*(sums[0] + 0.5*sums[1]*list.halo.max(fastestDriven2()));
+}
+
+/// Of walls and driven grains that are here [m2/s2].
+double GrainDynamics::Implementation::fastestDriven2() const
+{
+    double fastest2 = 0.0;
+    for (const Body& body : list.bodies)
+    {
+        if (body.invMass == 0.0) fastest2 = std::max(fastest2, Vec3(body.v).squaredNorm());
+    }
+    return fastest2;
 }
 
 /// Kinetic energy of what moves here [J], without the spins.

@@ -133,6 +133,8 @@ struct GrainDynamics::Implementation
     bool isJammed(const SolveReport& report, const ContactProblem& problem) const;
     bool leavesOverlap(const SolveReport& report) const;
     bool mayBeSqueezed(const SolveReport& report) const;
+    bool isFlung(const SolveReport& report) const;
+    double fastestDriven2() const;
     SolveReport solveAnew(ContactSolver solver, const ExternalForces& external, const ContactSettings& asked);
     SolveReport holdFriction(const ExternalForces& external, const ContactSettings& asked);
     ContactSettings ofTrial() const;

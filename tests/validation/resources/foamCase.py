@@ -78,6 +78,11 @@ class CaseFolder:
                 rows = [row for row in rows if row[names[0]] < added[0][names[0]]] + added
         return {key: [row[key] for row in rows] for key in rows[0]}
 
+    def log(self, program="nscdDEMFoam"):
+        """Of the last run."""
+        with open(os.path.join(self.folder, "log." + program)) as file:
+            return file.read()
+
     def times(self):
         return sorted((name for name in os.listdir(self.folder) if re.fullmatch(r"[0-9.e+-]+", name)), key=float)
 
