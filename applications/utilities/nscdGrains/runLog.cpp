@@ -48,6 +48,7 @@ std::string movingText(const SceneSettings& scene)
     std::string text;
     if (!moving.empty()) text += "  moving   " + moving + "\n";
     if (driven > 0) text += formatted("  driven    %zu grains\n", driven);
+    if (scene.letsFixedGo()) text += formatted("  fixed     until %.6g s\n", scene.fixedUntil);
     for (const std::string& note : scene.notes) text += "  " + note + "\n";
     return text;
 }

@@ -67,6 +67,7 @@ public:
         step_(start.step),
         forces_(nscd::gravityForces(start.grains, scene.gravity, scene.run.deltaT)),
         entry_(scene.entries, {scene.shape, scene.box}, entryStates(scene, start), start.nextId),
+        held_(scene.fixedUntil),
         log_(os, start.time, scene.run.endTime),
         grainSeries_(results.grainSeries()),
         contactSeries_(results.contactSeries()),
@@ -103,6 +104,7 @@ private:
         const double deltaT = scene_.run.deltaT;
         const double next = nextTime(time_, deltaT);
         dynamics_.setTime(time_);
+        held_.letGo(time_, deltaT, scene_.driven, dynamics_);
         letIn(next);
         input::driveGrains(scene_.driven, dynamics_, time_, next);
         dynamics_.beginStep(deltaT);
@@ -175,6 +177,7 @@ private:
     std::int64_t step_;
     nscd::ExternalForces forces_;
     nscd::GrainEntry entry_;
+    input::HeldUntil held_;
     RunLog log_;
     std::unique_ptr<nscd::FolderLock> lock_;
     double output_ = 0.0;

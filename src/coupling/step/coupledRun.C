@@ -36,6 +36,7 @@ bool CoupledRun::nextStep()
     if (reach_.isKnown) adjustTimeStep(time_, reach_, properties_.time.maxGrainDisplacement);
     dynamics_->setTime(time_.value());
     balanceRanks();
+    letFixedGo();
     // Before the time moves on: the void fraction that the step starts from has the grains that enter in it.
     letIn(time_.value() + time_.deltaTValue());
     ++time_;
@@ -47,6 +48,11 @@ bool CoupledRun::nextStep()
     immersion_->sources.hasGrains = feedsBack();
     immersion_->sources.hasResponse = feedsBack() && (!immersion_->sources.isStatic || immersion_->sources.isModelB);
     return true;
+}
+
+void CoupledRun::letFixedGo()
+{
+    if (held_.letGo(time_.value(), time_.deltaTValue(), properties_.driven, *dynamics_, *ranks_.exchange())) bodies_.update(dynamics_->grains());
 }
 
 void CoupledRun::driveTo(scalar end, scalar deltaT)

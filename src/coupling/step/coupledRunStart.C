@@ -125,6 +125,7 @@ CoupledRun::CoupledRun(Time& time, fvMesh& mesh)
     time_(time),
     mesh_(mesh),
     properties_(readRunnable(time, mesh)),
+    held_(properties_.fixedUntil),
     gravity_(readGravity(time)),
     scene_(makeGrainScene(properties_, mesh, gravity_)),
     forces_(properties_.forces, forceConditions(properties_, scene_)),
@@ -243,7 +244,8 @@ void CoupledRun::startFluid()
     }
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();
-    sources.isStatic = hasGrains() && !movesMesh() && !properties_.hasEntries() && properties_.driven.empty() && areAllFixed(grains, *ranks_.exchange());
+    sources.isStatic = hasGrains() && !movesMesh() && !properties_.hasEntries() && properties_.driven.empty()
+        && !properties_.letsFixedGo() && areAllFixed(grains, *ranks_.exchange());
     sources.isModelB = properties_.forces.isOn("modelB");
     sources.hasResponse = feedsBack() && (!sources.isStatic || sources.isModelB);
     if (hasGrains()) updateWeights();

@@ -7,6 +7,7 @@
 #include "input/scene/functionReader.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace input
@@ -85,6 +86,36 @@ void driveGrains(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dy
             throw InputError({group.place, std::string("cannot be followed: ") + error.what()});
         }
     }
+}
+
+bool letFixedGo(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, const nscd::Exchange& exchange)
+{
+    nscd::Grains grains = dynamics.grains();
+    const auto isDriven = [&](std::int64_t id)
+    {
+        return std::any_of(groups.begin(), groups.end(), [=](const DrivenGroup& g) { return std::binary_search(g.grains.ids.begin(), g.grains.ids.end(), id); });
+    };
+    bool isAny = false;
+    for (std::size_t i = 0; i < grains.size(); ++i)
+    {
+        if (!grains.isFixed[i] || isDriven(grains.id[i])) continue;
+        grains.isFixed[i] = 0;
+        isAny = true;
+    }
+    if (!exchange.any(isAny)) return false;
+    dynamics.setGrains(std::move(grains));
+    return true;
+}
+
+bool HeldUntil::letGo
+(
+    double now, double deltaT, const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, const nscd::Exchange& exchange
+)
+{
+    constexpr double roundOff = 1e-6;   // of sums of steps [steps]
+    if (now < time_ - roundOff*deltaT) return false;
+    time_ = std::numeric_limits<double>::infinity();
+    return letFixedGo(groups, dynamics, exchange);
 }
 
 } // namespace input

@@ -23,4 +23,20 @@ void holdDriven(const std::vector<DrivenGroup>& groups, nscd::Grains& grains, co
 /// Errors: InputError for values that are not finite and motion out of the plane of the grains
 void driveGrains(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, double from, double to);
 
+/// Lets all held grains go that no group drives, with the velocity that they have. Collective. Returns whether there were any.
+bool letFixedGo(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, const nscd::Exchange& exchange = {});
+
+/// Calls letFixedGo() once, in the first step that begins at the time given or later.
+class HeldUntil
+{
+public:
+    explicit HeldUntil(double time) : time_(time) {}
+
+    /// In a step of length deltaT that begins at `now` [s]. Returns whether any were let go.
+    bool letGo(double now, double deltaT, const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, const nscd::Exchange& exchange = {});
+
+private:
+    double time_;   ///< [s]; infinite where they are held for ever, or free already
+};
+
 } // namespace input

@@ -11,6 +11,8 @@
 #include "nscd/tools/grainEntry.hpp"
 #include "nscd/tools/sceneParts.hpp"
 
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace input
@@ -83,11 +85,13 @@ struct Scene
     std::vector<nscd::EntrySource> entries;
     std::vector<Place> entryPlaces;    ///< of their regions
     std::vector<DrivenGroup> driven;
+    double fixedUntil = std::numeric_limits<double>::infinity();   ///< when held grains that no group drives are let go [s]
     double maxInitialOverlap = 0.01;   ///< in diameters of the smaller grain
     Place overlapPlace;
     nscd::ContactSettings contact;
 
     bool hasClumps() const;
+    bool letsFixedGo() const { return std::isfinite(fixedUntil); }
     bool hasEntries() const { return !entries.empty(); }
     bool hasAnySource() const { return hasEntries() || !sources.empty(); }
 };

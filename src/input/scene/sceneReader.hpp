@@ -9,7 +9,7 @@
 namespace input
 {
 
-/// `materials`, `contacts`, `wallMaterial`, `planes`, `walls`, `motion`, `maxInitialOverlap`, `grains`, `driven` and `solver`.
+/// `materials`, `contacts`, `wallMaterial`, `planes`, `walls`, `motion`, `fixedUntil`, `maxInitialOverlap`, `grains`, `driven` and `solver`.
 /// Errors: InputError for all that is wrong with these and the surfaces they name; other keywords are the program's to read and to refuse
 void readScene(const CheckedEntries& top, const Surroundings& around, Scene& scene);
 

@@ -144,6 +144,7 @@ void addSource(const Dictionary& dict, const std::string& name, const Surroundin
 void readSources(const CheckedEntries& top, const Surroundings& around, Scene& scene)
 {
     const std::string motion = top.choice("motion", {"free", "fixed"}, "free");
+    scene.fixedUntil = top.number("fixedUntil", atLeast(0), scene.fixedUntil);
     scene.maxInitialOverlap = top.number("maxInitialOverlap", atLeast(0), scene.maxInitialOverlap);
     scene.overlapPlace = top.place("maxInitialOverlap");
 

@@ -324,6 +324,23 @@ TEST(Program, drivesGrainsAlongTheIntegralOfTheirVelocity)
     }
 }
 
+TEST(Program, letsFixedGrainsGoWhenTold)
+{
+    // Of 10 steps of 1 ms the last six are free; what is driven stays so. From a restart without the grain that was driven, that one falls too.
+    const std::string fixed = "motion fixed; fixedUntil 0.004; fluid none; ";
+    const ProgramCase c(Files{{"constant/grainProperties", grains + fixed + "driven { a { ids (5); velocity (0 0 0); } }"}}, "writePrecision 12;");
+    EXPECT_TRUE(succeeds(c.run()));
+    const List<vector> first = grainVectors(c, "U");
+    EXPECT_NEAR(first[1].z(), -0.006*9.81, 1e-9);
+    EXPECT_EQ(first[5], vector::zero);
+    c.write("constant/grainProperties", grains + fixed);
+    c.writeControl("endTime 0.02; writePrecision 12;");
+    EXPECT_TRUE(succeeds(c.run()));
+    const List<vector> second = grainVectors(c, "U");
+    EXPECT_NEAR(second[1].z(), -0.016*9.81, 1e-9);
+    EXPECT_NEAR(second[5].z(), -0.01*9.81, 1e-9);
+}
+
 TEST(BadStart, drivenGrainsMustBeThere)
 {
     EXPECT_TRUE(isRefusedWith("constant/grainProperties", grains + "driven { a { ids (3 18); velocity (0 0 1); } }", {"driven.a", "not there"}));
