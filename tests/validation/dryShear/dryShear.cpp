@@ -50,13 +50,14 @@ struct Means
     double overlap = 0.0;
     int steps = 0;
     int capped = 0;
+    int held = 0;
 };
 
 /// Patch 1, the belt, goes with `plate`, which is set on the highest grain.
-Scene layer(double width, double height, double rate, LoadedPlate& plate)
+Scene layer(double width, double height, double rate, double friction, LoadedPlate& plate)
 {
-    Scene scene(2, 0.1, 0.0);
-    scene.materials.setPair(0, 1, {0.5, 0.0});
+    Scene scene(2, friction, 0.0);
+    scene.materials.setPair(0, 1, {std::max(0.5, friction), 0.0});
     scene.box.length = Vec3(width, 0, 0);
     std::mt19937 random(2);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -125,6 +126,7 @@ Means shear(const Scene& scene, LoadedPlate& plate, double rate, double shear, d
         windows.add(dynamics.wallForce()[0], plate.height);
         if (k < steps/2) continue;
         means.capped += report.solve.atCap;
+        means.held += report.solve.isHeld;
         means.overlap = std::max(means.overlap, report.overlapMax);
         means.bottom += dynamics.wallForce()[0];
         means.top += dynamics.wallForce()[1];
@@ -146,16 +148,16 @@ double area(const nscd::Grains& grains)
 }
 
 /// `height`: of the layer at the solid fraction above; the belt's speed is `rate` times that.
-void judge(bars::CsvFile& csv, double width, double height, double pressure, double rate, double shearOfAll, double deltaT)
+void judge(bars::CsvFile& csv, double width, double height, double pressure, double rate, double shearOfAll, double deltaT, double frictionOfDiscs = 0.1)
 {
     LoadedPlate plate{plateMass*width, pressure*width, 0.0};
-    const Scene scene = layer(width, height, rate, plate);
+    const Scene scene = layer(width, height, rate, frictionOfDiscs, plate);
     const Means means = shear(scene, plate, rate, shearOfAll, deltaT);
     const double actual = rate*height/means.height, inertial = actual*meanDiameter*std::sqrt(density/pressure), fraction = area(scene.grains)/(width*means.height);
     const double friction = std::abs(means.bottom[0]/means.bottom[2]);
-    bars::scene(nscd::formatted("A19 %zu discs under %g Pa, belt at %g m/s for %g s", scene.grains.size(), pressure, rate*height, shearOfAll/rate));
-    std::printf("  solid fraction %.4f, I %.4f (belt speed over height), mu_eff %.4f; %d of %d steps at the cap\n", fraction, inertial, friction,
-        means.capped, means.steps);
+    bars::scene(nscd::formatted("A19 %zu discs of friction %g under %g Pa, belt at %g m/s for %g s", scene.grains.size(), frictionOfDiscs, pressure, rate*height, shearOfAll/rate));
+    std::printf("  solid fraction %.4f, I %.4f (belt speed over height), mu_eff %.4f; of %d steps %d at the cap, %d with friction held\n", fraction, inertial,
+        friction, means.steps, means.capped, means.held);
     csv.row({rate, deltaT, double(scene.grains.size()), fraction, pressure, inertial, friction, means.top[0], means.top[2], means.bottom[0], means.bottom[2], means.overlap});
     const double size = std::abs(means.bottom[0]);
     const Vec3 unexplained = means.top + means.bottom + means.gained;
@@ -174,6 +176,7 @@ int main(int count, char** arguments)
     bars::CsvFile csv(arguments[0], "shear", "rate,deltaT,discs,solidFraction,pressure,I,muEff,topX,topZ,bottomX,bottomZ,overlapMax");
     const auto isAsked = [&](const char* size) { return count > 1 && std::strcmp(arguments[1], size) == 0; };
     if (isAsked("full")) judge(csv, 0.2, 0.1, 2500, 100, 400, 2.5e-5);
+    else if (isAsked("rough")) judge(csv, 0.05, 0.025, 2500, 100, 100, 1e-4, std::atof(arguments[2]));
     else judge(csv, 0.05, 0.025, isAsked("light") ? 250 : 2500, 100, isAsked("light") ? 3200 : 1600, 1e-4);
     return bars::status();
 }
