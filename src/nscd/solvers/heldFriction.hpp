@@ -68,7 +68,7 @@ private:
 };
 
 /// Solves a problem with |r_t| <= tau, tau a number for each contact (Tresca's law): min over r_n >= 0, |r_t| <= tau of r.W r/2 + r.(u^- + b) is convex, so it
-/// always has a solution, sweeps come to it, and it takes energy: at r = 0 the sum is 0. First tau = 0; then, round after round, tau follows
+/// has a solution wherever what is driven leaves room for one, sweeps come to it, and it takes energy: at r = 0 the sum is 0. First tau = 0; then, round after round, tau follows
 /// min(mu r_n, min(mu, 1) P), P some times what presses on the same bodies without friction; where that does not come to rest tau may only fall, then it stays. Where
 /// sweeps do not solve even that, as between masses far apart, all tau fade, in the end to nothing: without friction sweeps are quick.
 /// Equation: this is the fixed-point iteration of Necas, Jarusek & Haslinger (1980) for Coulomb's law; P makes it one of a compact set

@@ -114,6 +114,15 @@ TEST_F(SceneRuns, goOnAfterTheyWereKilledWhileWriting)
     }
 }
 
+TEST_F(SceneRuns, letsFixedGrainsGoWhenTold)
+{
+    write("ball.txt", "0 0 0 0.02\n");
+    writeScene("held", "deltaT 1e-3; endTime 0.1; writeInterval 0.1; fixedUntil 0.04; motion fixed; materials { m { density 2500; } } contacts { default { friction 0; } }\n"
+        "grains { type table; file ball.txt; } gravity (0 0 -9.81);\n");
+    EXPECT_NE(run("held").find("fixed     until 0.04 s"), std::string::npos);
+    EXPECT_NEAR(nscd::readCheckpoint(folder/"held.out/state/state.000000100").grains.velocity[0].z(), -0.06*9.81, 1e-9);
+}
+
 /// Three discs on a floor: the pile stands if and only if friction between them is at least tan 15 degrees = 0.267949.
 TEST_F(SceneRuns, keepAPyramidOfDiscsUpByFrictionAlone)
 {
