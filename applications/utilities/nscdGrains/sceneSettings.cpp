@@ -81,6 +81,12 @@ void checkMaterialsAndPeriods(const SceneSettings& scene, const nscd::Grains& gr
 
 void checkOverlaps(const SceneSettings& scene, const nscd::Grains& grains, const nscd::Walls& walls, double maxShare)
 {
+    if (scene.letsFixedGo())
+    {
+        // Held ones may overlap, those that are free later may not.
+        nscd::Grains later = grains;
+        if (input::letGo(scene.driven, later)) return checkOverlaps(scene, later, walls, maxShare);
+    }
     const std::vector<nscd::Overlap> overlaps = input::findOverlaps(grains, scene.box, walls, maxShare);
     input::refuseOverlaps(overlaps.size(), input::worstOverlaps(overlaps, grains, walls), scene, maxShare);
 }

@@ -88,9 +88,8 @@ void driveGrains(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dy
     }
 }
 
-bool letFixedGo(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, const nscd::Exchange& exchange)
+bool letGo(const std::vector<DrivenGroup>& groups, nscd::Grains& grains)
 {
-    nscd::Grains grains = dynamics.grains();
     const auto isDriven = [&](std::int64_t id)
     {
         return std::any_of(groups.begin(), groups.end(), [=](const DrivenGroup& g) { return std::binary_search(g.grains.ids.begin(), g.grains.ids.end(), id); });
@@ -102,7 +101,13 @@ bool letFixedGo(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dyn
         grains.isFixed[i] = 0;
         isAny = true;
     }
-    if (!exchange.any(isAny)) return false;
+    return isAny;
+}
+
+bool letFixedGo(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, const nscd::Exchange& exchange)
+{
+    nscd::Grains grains = dynamics.grains();
+    if (!exchange.any(letGo(groups, grains))) return false;
     dynamics.setGrains(std::move(grains));
     return true;
 }

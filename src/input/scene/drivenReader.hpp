@@ -23,7 +23,10 @@ void holdDriven(const std::vector<DrivenGroup>& groups, nscd::Grains& grains, co
 /// Errors: InputError for values that are not finite and motion out of the plane of the grains
 void driveGrains(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, double from, double to);
 
-/// Lets all held grains go that no group drives, with the velocity that they have. Collective. Returns whether there were any.
+/// Makes all held grains free that no group drives. Returns whether there were any.
+bool letGo(const std::vector<DrivenGroup>& groups, nscd::Grains& grains);
+
+/// Lets all held grains of a run go that no group drives, with the velocity that they have. Collective. Returns whether there were any.
 bool letFixedGo(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, const nscd::Exchange& exchange = {});
 
 /// Calls letFixedGo() once, in the first step that begins at the time given or later.

@@ -222,13 +222,14 @@ SolveReport solveHeld(ContactProblem& problem, const ContactSettings& settings) 
 SolveReport solvePressed(ContactProblem& problem, const ContactSettings& settings)
 {
     const SweepKernels kernels = held(problem.kernels);
-    const FrictionBounds none(problem);
+    const FrictionBounds bounds(problem);   // all zero
     ContactProblem convex = heldProblem(problem, kernels);
     PlainHelp help{convex};
     SolveReport report = sweepUntilMet(convex, settings, help);
-    report.frictionOff = none.off();
-    report.isHeld = report.converged;
     report.atCap = !report.converged;
+    if (!problem.isFrictional) return report;
+    report.frictionOff = bounds.off();
+    report.isHeld = report.converged;
     report.converged = false;
     return report;
 }

@@ -78,7 +78,7 @@ SolveReport solveHeld(ContactProblem& problem, const ContactSettings& settings);
 
 /// Solves a problem without friction by plain sweeps: where walls leave grains no room it has no solution, and impulses grow for ever, but velocities
 /// stay about those of the walls. Momentum makes them swing beyond.
-/// Ensures: as solveHeld(), never converged
+/// Ensures: as solveHeld(); converged in problems without friction alone
 SolveReport solvePressed(ContactProblem& problem, const ContactSettings& settings);
 
 } // namespace nscd

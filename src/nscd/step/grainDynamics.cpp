@@ -300,7 +300,8 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     report.candidates = static_cast<std::size_t>(self.list.halo.sum(static_cast<double>(self.wholeList().candidates)));
 
     const auto giveForces = [&]() { giveToGrains(self.forcesOnBodies(), self.list.grainOf, self.forces); };
-    const bool mayRebound = self.materials.anyRestitution();
+    // Where there is no room the shock has none either, and would press again by sweeps that swing.
+    const bool mayRebound = self.materials.anyRestitution() && !report.solve.isSqueezed;
     if (!mayRebound) giveForces();
     report.maxDisplacement = self.moveBodies(report)/self.diameter;
     if (mayRebound && !self.rebound(external, report.solve)) giveForces();

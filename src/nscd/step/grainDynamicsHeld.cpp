@@ -66,20 +66,30 @@ bool GrainDynamics::Implementation::mayBeSqueezed(const SolveReport& report) con
     return report.atCap && leavesOverlap(report) && list.halo.max(fastestDriven2()) > report.speedScale*report.speedScale;
 }
 
-/// Whether a solve at the cap left far more motion than there was, and than driven bodies have: its impulses are of any size, and their changes, by momentum of
-/// sweeps or by the turn of a normal since they were kept, throw grains about.
+/// Whether a solve at the cap, beside something driven, left far more motion than there was, and than driven bodies have: its impulses are of any size, and
+/// their changes, by momentum of sweeps or by the turn of a normal since they were kept, throw grains about. Attraction is not in the free motion known here.
 bool GrainDynamics::Implementation::isFlung(const SolveReport& report) const
 {
-    if (!settings.strategy.held.isOn || !report.atCap) return false;
-    double sums[2] = {0.0, 0.0};   // kinetic energy of the free motion [J]; mass [kg]
+    if (!settings.strategy.held.isOn || !report.atCap || list.laws.areOfStart()) return false;
+    const double fastest2 = list.halo.max(fastestDriven2());
+    if (!(fastest2 > report.speedScale*report.speedScale)) return false;
+    double sums[3] = {0.0, 0.0, 0.0};   // kinetic energy now, and of the free motion [J]; mass [kg]
+    const auto add = [&](const Vec3& v, const Vec3& freeV, double invMass)
+    {
+        if (invMass == 0.0) return;
+        sums[0] += 0.5*v.squaredNorm()/invMass;
+        sums[1] += 0.5*freeV.squaredNorm()/invMass;
+        sums[2] += 1.0/invMass;
+    };
     for (int body = 0; body < list.owned(); ++body)
     {
-        if (list.bodies[body].invMass == 0.0) continue;
-        sums[0] += 0.5*freeVelocity[body].squaredNorm()/list.bodies[body].invMass;
-        sums[1] += 1.0/list.bodies[body].invMass;
+        // Sweeps move clumps, and not their members.
+        const bool isMember = !list.general.empty() && list.general.memberOf[body] >= 0;
+        if (!isMember) add(Vec3(list.bodies[body].v), freeVelocity[body], list.bodies[body].invMass);
     }
-    list.halo.sum(sums, 2);
-    return translationalEnergy() > settings.strategy.held.energy*(sums[0] + 0.5*sums[1]*list.halo.max(fastestDriven2()));
+    for (std::size_t k = 0; k < list.general.own(); ++k) add(list.general.bodies[k].v, list.general.bodies[k].freeV, list.general.bodies[k].invMass);
+    list.halo.sum(sums, 3);
+    return sums[0] > settings.strategy.held.energy*(sums[1] + 0.5*sums[2]*fastest2);
 }
 
 /// Of walls and driven grains that are here [m2/s2].

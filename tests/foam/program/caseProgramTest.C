@@ -341,6 +341,14 @@ TEST(Program, letsFixedGrainsGoWhenTold)
     EXPECT_NEAR(second[5].z(), -0.01*9.81, 1e-9);
 }
 
+TEST(BadStart, fixedGrainsThatAreLetGoMayNotOverlap)
+{
+    const std::string overlapping = "materials { glass { density 2500; } } contacts { default { friction 0.3; } } fluid none; motion fixed; "
+        "grains { type lattice; box (0.04 0.04 0.04) (0.06 0.06 0.06); count (2 1 1); diameter 0.012; } patches { front { type wall; } back { type exit; } } ";
+    EXPECT_TRUE(succeeds(ProgramCase(Files{{"constant/grainProperties", overlapping}}).run()));
+    EXPECT_TRUE(isRefusedWith("constant/grainProperties", overlapping + "fixedUntil 0.5;", {"maxInitialOverlap", "grains 0 and 1 overlap"}));
+}
+
 TEST(BadStart, drivenGrainsMustBeThere)
 {
     EXPECT_TRUE(isRefusedWith("constant/grainProperties", grains + "driven { a { ids (3 18); velocity (0 0 1); } }", {"driven.a", "not there"}));

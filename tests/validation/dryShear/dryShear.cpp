@@ -166,6 +166,7 @@ void judge(bars::CsvFile& csv, double width, double height, double pressure, dou
     require("shear forces of the plates, difference in the mean, share", std::abs(means.top[0] + means.bottom[0])/size, 0.02);
     require("forces of the plates and momentum gained by the layer, share", unexplained.norm()/size, 1e-10);
     require("largest overlap, d", means.overlap, 0.01);
+    require("steps at the cap, share", double(means.capped)/means.steps, 0.01);
     std::fflush(stdout);
 }
 
@@ -176,7 +177,7 @@ int main(int count, char** arguments)
     bars::CsvFile csv(arguments[0], "shear", "rate,deltaT,discs,solidFraction,pressure,I,muEff,topX,topZ,bottomX,bottomZ,overlapMax");
     const auto isAsked = [&](const char* size) { return count > 1 && std::strcmp(arguments[1], size) == 0; };
     if (isAsked("full")) judge(csv, 0.2, 0.1, 2500, 100, 400, 2.5e-5);
-    else if (isAsked("rough")) judge(csv, 0.05, 0.025, 2500, 100, 100, 1e-4, std::atof(arguments[2]));
+    else if (isAsked("rough")) judge(csv, 0.05, 0.025, 2500, 100, 100, 1e-4, count > 2 ? std::atof(arguments[2]) : 10.0);
     else judge(csv, 0.05, 0.025, isAsked("light") ? 250 : 2500, 100, isAsked("light") ? 3200 : 1600, 1e-4);
     return bars::status();
 }

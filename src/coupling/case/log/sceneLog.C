@@ -126,7 +126,7 @@ void logScene
     line("grains", describeGrains(grains, scene.space.shape));
     if (grains.real.number > 0) line("parcels", describeReal(grains));
     if (isRestart) line("", "from time " + mesh.time().timeName() + "; `grains` of grainProperties are for a new start only");
-    if (properties.letsFixedGo()) line("fixed", formatted("until %.6g s", properties.fixedUntil));
+    if (properties.letsFixedGo() && properties.fixedUntil > mesh.time().value()) line("fixed", formatted("until %.6g s", properties.fixedUntil));
     for (const nscd::EntrySource& entry : properties.entries) line("entering", describeEntry(entry, scene.space.shape));
     line("walls", describeWalls(scene, mesh));
     if (areWallsUnseen(properties)) line("", "those of `walls` and `planes` are for the grains alone: the fluid flows through them");

@@ -8,6 +8,7 @@
 #include "coupling/case/walls/grainExits.H"
 
 #include "input/dictionary/checkedEntries.hpp"
+#include "input/scene/drivenReader.hpp"
 #include "input/scene/materialReader.hpp"
 #include "input/start/startChecks.hpp"
 
@@ -79,6 +80,12 @@ void refuseOverlaps
     nscd::Exchange& exchange
 )
 {
+    if (properties.letsFixedGo())
+    {
+        // Held ones may overlap, those that are free later may not.
+        nscd::Grains later = grains;
+        if (input::letGo(properties.driven, later)) return refuseOverlaps(later, box, walls, properties, maxShare, exchange);
+    }
     const std::vector<nscd::GhostGrain> ghosts = exchange.findGhosts(grains, {std::vector<double>(grains.size(), 0.0)}, box);
     const nscd::Grains all = withGhosts(grains, ghosts);
     std::vector<Overlap> overlaps = grainOverlaps(all, box, maxShare);

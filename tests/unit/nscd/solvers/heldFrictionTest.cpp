@@ -5,6 +5,7 @@
 #include "unit/nscd/scenes/randomProblem.hpp"
 #include "unit/nscd/scenes/clumpScenes.hpp"
 
+#include "nscd/base/formattedText.hpp"
 #include "nscd/scene/stepWarnings.hpp"
 #include "nscd/solvers/heldFriction.hpp"
 
@@ -306,10 +307,10 @@ struct Pressed
 };
 
 /// 288 grains, periodic sideways, until they fill 0.68 of what is below the lid, more than spheres at random can; then the lid waits for 200 steps.
-Pressed pressBed(double friction)
+Pressed pressBed(double friction, double restitution)
 {
     const double d = 1e-3, side = 6*d, top = 12*d, dt = 1e-3, low = 288*d*d*d*0.5236/(0.68*side*side);
-    Scene scene(3, friction, 0.0);
+    Scene scene(3, friction, restitution);
     scene.box.length = Vec3(side, side, 0);
     nscd::addLattice(scene.grains, {{0, 0, 0}, {side, side, 10*d}, {6, 6, 8}, d, 0.0, 0.5}, 2650.0, 0);
     scene.addPlane(Vec3::Zero(), Vec3::UnitZ());
@@ -341,14 +342,15 @@ Pressed pressBed(double friction)
 /// says so, and it ends once the lid waits.
 TEST(Squeezed, grainsWithoutRoomStayWhereTheyAre)
 {
-    for (double friction : {0.0, 0.3, 1.0})
+    for (const auto& [friction, restitution] : {std::pair(0.0, 0.0), std::pair(0.3, 0.0), std::pair(0.3, 0.5), std::pair(1.0, 0.0)})
     {
-        const Pressed pressed = pressBed(friction);
-        EXPECT_GT(pressed.squeezed, 0) << friction;
-        EXPECT_EQ(pressed.unnamed, 0) << friction;
-        EXPECT_LT(pressed.fastest, 5.0) << friction;
-        EXPECT_LT(pressed.overlap, 0.3) << friction;
-        EXPECT_EQ(pressed.squeezedAtEnd, 0) << friction;
-        EXPECT_LT(pressed.overlapAtEnd, 0.1) << friction;
+        SCOPED_TRACE(nscd::formatted("friction %g, restitution %g", friction, restitution));
+        const Pressed pressed = pressBed(friction, restitution);
+        EXPECT_GT(pressed.squeezed, 0);
+        EXPECT_EQ(pressed.unnamed, 0);
+        EXPECT_LT(pressed.fastest, 5.0);
+        EXPECT_LT(pressed.overlap, 0.3);
+        EXPECT_EQ(pressed.squeezedAtEnd, 0);
+        EXPECT_LT(pressed.overlapAtEnd, 0.1);
     }
 }
