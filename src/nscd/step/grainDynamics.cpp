@@ -176,7 +176,8 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
     ContactProblem problem = prepareProblem(external);
     SolveReport report = solveBy(solve, problem, asked, external);
     if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem))) report = together(report, holdFriction(external, asked));
-    if (isFlung(report)) report = together(report, solveAnew(solvePressed, external, asked));
+    isPressed = isFlung(report);
+    if (isPressed) report = together(report, solveAnew(solvePressed, external, asked));
     report.isSqueezed = mayBeSqueezed(report);
     if (!list.general.empty()) takeGeneralVelocities(list, grains.shape);
     return report;
@@ -300,8 +301,8 @@ StepReport GrainDynamics::advance(const ExternalForces& external)
     report.candidates = static_cast<std::size_t>(self.list.halo.sum(static_cast<double>(self.wholeList().candidates)));
 
     const auto giveForces = [&]() { giveToGrains(self.forcesOnBodies(), self.list.grainOf, self.forces); };
-    // Where there is no room the shock has none either, and would press again by sweeps that swing.
-    const bool mayRebound = self.materials.anyRestitution() && !report.solve.isSqueezed;
+    // Where there was no room the shock has none either, and would press again by sweeps that swing.
+    const bool mayRebound = self.materials.anyRestitution() && !self.isPressed;
     if (!mayRebound) giveForces();
     report.maxDisplacement = self.moveBodies(report)/self.diameter;
     if (mayRebound && !self.rebound(external, report.solve)) giveForces();

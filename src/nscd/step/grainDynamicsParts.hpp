@@ -48,6 +48,7 @@ struct GrainDynamics::Implementation
     std::unique_ptr<WallSearch> wallSearch;
     bool areWallsOutlined = false;     // any
     bool areSomeStopped = false;       // on their way in this step, on any rank
+    bool isPressed = false;      ///< whether the last solve of the motion was one of plain sweeps: see isFlung()
     bool isAnyFast = false;            // of grains, on any rank: outlined walls on their ways are looked for
     std::vector<int> atMissedWalls;    // own bodies that have come to walls which the list lacks
     std::vector<double> reachToMany;   // of the list
