@@ -21,7 +21,7 @@ CASES = [
          missing="C32"),
     Case("S2 explicit-drag trap", "C05, C03: dt/tau .1 to 100", "same terminal velocity", validation=["settlingGrain"],
          missing="C03, whose sweep is tests/benchmark/run W5, which does not judge"),
-    Case("S3 light, neutral grains", "density ratios 2000 to .01", "rises by its law, stable", validation=["landingSuspension", "uniformSuspension"]),
+    Case("S3 light, neutral grains", "density ratios 2000 to .001", "rises by its law, stable", validation=["landingSuspension", "uniformSuspension"]),
     Case("S4 heavy on light", "1:1 to 1:1e4, on one and on 19", "forces right, or said", "Stress.heavyOnLight*", validation=["dryStress", "dryStacks"]),
     Case("S5 tall stacks", "100, 300, 1000 spheres, cold", "base force 1e-6, few sweeps then",
          "Stack.*:Direct.stackOfThreeHundredFromCold", validation=["dryStacks", "dryStatics"]),

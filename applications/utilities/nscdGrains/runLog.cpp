@@ -36,7 +36,7 @@ std::string describeWalls(const nscd::Walls& walls)
 }
 
 /// What moves by itself, and notes of reading; nothing in most scenes.
-std::string movingText(const SceneSettings& scene)
+std::string movingText(const SceneSettings& scene, double startTime)
 {
     std::string moving;
     for (const nscd::WallPatch& patch : scene.walls.patches)
@@ -48,7 +48,7 @@ std::string movingText(const SceneSettings& scene)
     std::string text;
     if (!moving.empty()) text += "  moving   " + moving + "\n";
     if (driven > 0) text += formatted("  driven    %zu grains\n", driven);
-    if (scene.letsFixedGo()) text += formatted("  fixed     until %.6g s\n", scene.fixedUntil);
+    if (scene.letsFixedGo() && scene.fixedUntil > startTime) text += formatted("  fixed     until %.6g s\n", scene.fixedUntil);
     for (const std::string& note : scene.notes) text += "  " + note + "\n";
     return text;
 }
@@ -97,7 +97,7 @@ void RunLog::scene(const SceneSettings& scene, const nscd::Grains& grains, const
         << "  grains    " << describeGrains(grains) << '\n'
         << enteringText(scene)
         << "  walls     " << describeWalls(scene.walls) << '\n'
-        << movingText(scene)
+        << movingText(scene, startTime_)
         << "  periodic  " << describePeriods(scene.box) << '\n'
         << formatted("  contacts  %s, tolerance %.3g, at most %d sweeps\n", contact.solver.c_str(), contact.tolerance, contact.maxSweeps)
         << "  work      " << nscd::describeWork(scene.materials.table, scene.shape, contact) << '\n'

@@ -104,14 +104,6 @@ bool letGo(const std::vector<DrivenGroup>& groups, nscd::Grains& grains)
     return isAny;
 }
 
-bool letFixedGo(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, const nscd::Exchange& exchange)
-{
-    nscd::Grains grains = dynamics.grains();
-    if (!exchange.any(letGo(groups, grains))) return false;
-    dynamics.setGrains(std::move(grains));
-    return true;
-}
-
 bool HeldUntil::letGo
 (
     double now, double deltaT, const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, const nscd::Exchange& exchange
@@ -120,7 +112,10 @@ bool HeldUntil::letGo
     constexpr double roundOff = 1e-6;   // of sums of steps [steps]
     if (now < time_ - roundOff*deltaT) return false;
     time_ = std::numeric_limits<double>::infinity();
-    return letFixedGo(groups, dynamics, exchange);
+    nscd::Grains grains = dynamics.grains();
+    if (!exchange.any(input::letGo(groups, grains))) return false;
+    dynamics.setGrains(std::move(grains));
+    return true;
 }
 
 } // namespace input

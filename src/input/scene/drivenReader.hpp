@@ -26,16 +26,13 @@ void driveGrains(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dy
 /// Makes all held grains free that no group drives. Returns whether there were any.
 bool letGo(const std::vector<DrivenGroup>& groups, nscd::Grains& grains);
 
-/// Lets all held grains of a run go that no group drives, with the velocity that they have. Collective. Returns whether there were any.
-bool letFixedGo(const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, const nscd::Exchange& exchange = {});
-
-/// Calls letFixedGo() once, in the first step that begins at the time given or later.
+/// Lets all held grains of a run go that no group drives, with the velocity that they have: once, in the first step that begins at the time given or later.
 class HeldUntil
 {
 public:
     explicit HeldUntil(double time) : time_(time) {}
 
-    /// In a step of length deltaT that begins at `now` [s]. Returns whether any were let go.
+    /// In a step of length deltaT that begins at `now` [s]. Collective. Returns whether any were let go.
     bool letGo(double now, double deltaT, const std::vector<DrivenGroup>& groups, nscd::GrainDynamics& dynamics, const nscd::Exchange& exchange = {});
 
 private:

@@ -175,7 +175,7 @@ SolveReport GrainDynamics::Implementation::solveOnce(const ExternalForces& exter
 {
     ContactProblem problem = prepareProblem(external);
     SolveReport report = solveBy(solve, problem, asked, external);
-    if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem))) report = together(report, holdFriction(external, asked));
+    if (mayHoldFriction() && (isHarmful(report) || isJammed(report, problem))) report = together(report, solveAnew(solveHeld, external, asked));
     isPressed = isFlung(report);
     if (isPressed) report = together(report, solveAnew(solvePressed, external, asked));
     report.isSqueezed = mayBeSqueezed(report);

@@ -55,11 +55,6 @@ SolveReport GrainDynamics::Implementation::solveAnew(ContactSolver solver, const
     return solveBy(solver, problem, asked, external);
 }
 
-SolveReport GrainDynamics::Implementation::holdFriction(const ExternalForces& external, const ContactSettings& asked)
-{
-    return solveAnew(solveHeld, external, asked);
-}
-
 /// Whether walls or driven grains that move may have left the others no room: at the cap, and some still close.
 bool GrainDynamics::Implementation::mayBeSqueezed(const SolveReport& report) const
 {

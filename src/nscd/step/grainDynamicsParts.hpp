@@ -48,7 +48,7 @@ struct GrainDynamics::Implementation
     std::unique_ptr<WallSearch> wallSearch;
     bool areWallsOutlined = false;     // any
     bool areSomeStopped = false;       // on their way in this step, on any rank
-    bool isPressed = false;      ///< whether the last solve of the motion was one of plain sweeps: see isFlung()
+    bool isPressed = false;            // the motion, by plain sweeps: see isFlung()
     bool isAnyFast = false;            // of grains, on any rank: outlined walls on their ways are looked for
     std::vector<int> atMissedWalls;    // own bodies that have come to walls which the list lacks
     std::vector<double> reachToMany;   // of the list
@@ -137,7 +137,6 @@ struct GrainDynamics::Implementation
     bool isFlung(const SolveReport& report) const;
     double fastestDriven2() const;
     SolveReport solveAnew(ContactSolver solver, const ExternalForces& external, const ContactSettings& asked);
-    SolveReport holdFriction(const ExternalForces& external, const ContactSettings& asked);
     ContactSettings ofTrial() const;
     double translationalEnergy() const;
     double createdEnergy(const ExternalForces& external, const SolveReport& report);
