@@ -4,7 +4,10 @@
 // Conservative smoothing of cell fields over a length, by explicit stages of diffusion.
 #include "coupling/mapping/diffusionSmoother.H"
 
+#include "coupling/mapping/mesh/cellShape.H"
+
 #include "cyclicAMIFvPatch.H"
+#include "linear.H"
 #include "syncTools.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -49,20 +52,66 @@ label leastStages(const scalar largestRate)
 
 } // namespace
 
-DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const scalar length)
-:
-    mesh_(mesh),
-    area_(sqr(length)/(16*std::log(2.0)))
+scalar SmoothingLengths::between(const scalar edge, const scalar across) const
 {
-    if (!isOn()) return;
-    setConductances();
+    // Cells of just that size are not small on any number of ranks, which sum their volumes in other orders.
+    constexpr scalar roundOff = 1e-6;
+    if (width == 0 || (edge >= (1 - roundOff)*smallCell && across >= (1 - roundOff)*thinCell)) return length;
+    return std::sqrt(max(scalar(0), sqr(width) - 8*std::log(2.0)/12*sqr(across)));
+}
+
+DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const SmoothingLengths& lengths)
+:
+    mesh_(mesh)
+{
+    if (lengths.length == 0 && lengths.width == 0) return;
+    const surfaceScalarField areas(areasOfFaces(lengths));
+    largestLength_ = std::sqrt(gMax(areas.primitiveField())*16*std::log(2.0));
+    if (largestLength_ == 0) return;
+    setAreas(areas);
+    setConductances(areas);
     stages_ = leastStages(largestRate());
     listReached(boolList(mesh.nCells(), true));
 }
 
-void DiffusionSmoother::setConductances()
+// D T of each face; of one between ranks or cyclic ones from both of its cells.
+surfaceScalarField DiffusionSmoother::areasOfFaces(const SmoothingLengths& lengths) const
 {
-    conductance_.reset(new surfaceScalarField("conductance", dimensionedScalar("diffusion", dimArea, area_)*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()));
+    const surfaceScalarField edges(linearInterpolate(cellEdges(mesh_)));
+    const surfaceScalarField across(acrossCells(mesh_));
+    surfaceScalarField areas("smoothingArea", edges*edges);
+    const auto set = [&](scalarField& of, const scalarField& edge, const scalarField& width)
+    {
+        forAll(of, k) of[k] = sqr(lengths.between(edge[k], width[k]))/(16*std::log(2.0));
+    };
+    set(areas.primitiveFieldRef(), edges.primitiveField(), across.primitiveField());
+    forAll(areas.boundaryField(), patchI) set(areas.boundaryFieldRef()[patchI], edges.boundaryField()[patchI], across.boundaryField()[patchI]);
+    return areas;
+}
+
+void DiffusionSmoother::setAreas(const surfaceScalarField& areas)
+{
+    areas_.setSize(mesh_.nCells());
+    scalarField faces(mesh_.nCells(), Zero);
+    areas_ = 0;
+    const auto add = [&](label cell, scalar area) { areas_[cell] += area; faces[cell] += 1; };
+    forAll(areas, faceI)
+    {
+        add(mesh_.owner()[faceI], areas[faceI]);
+        add(mesh_.neighbour()[faceI], areas[faceI]);
+    }
+    forAll(mesh_.boundary(), patchI)
+    {
+        if (!passes(mesh_.boundary()[patchI])) continue;
+        const labelUList& faceCells = mesh_.boundary()[patchI].faceCells();
+        forAll(faceCells, k) add(faceCells[k], areas.boundaryField()[patchI][k]);
+    }
+    areas_ /= max(faces, scalar(1));
+}
+
+void DiffusionSmoother::setConductances(const surfaceScalarField& areas)
+{
+    conductance_.reset(new surfaceScalarField("conductance", areas*mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()));
     forAll(mesh_.boundary(), patchI)
     {
         const bool isPassing = passes(mesh_.boundary()[patchI]);
@@ -113,12 +162,17 @@ void DiffusionSmoother::addLayer(boolList& isReached) const
 
 void DiffusionSmoother::listReached(const boolList& isReached)
 {
-    cells_ = findIndices(isReached, true);
-    DynamicList<label> faces;
+    DynamicList<label> cells, faces;
+    forAll(isReached, cellI)
+    {
+        if (isReached[cellI] && areas_[cellI] > 0) cells.append(cellI);
+    }
+    const scalarField& conductance = conductance_().primitiveField();
     for (label faceI = 0; faceI < mesh_.nInternalFaces(); ++faceI)
     {
-        if (isReached[mesh_.faceOwner()[faceI]] && isReached[mesh_.faceNeighbour()[faceI]]) faces.append(faceI);
+        if (conductance[faceI] > 0 && isReached[mesh_.faceOwner()[faceI]] && isReached[mesh_.faceNeighbour()[faceI]]) faces.append(faceI);
     }
+    cells_.transfer(cells);
     faces_.transfer(faces);
 }
 

@@ -15,14 +15,21 @@ namespace nscdCoupling
 namespace
 {
 
-scalar readDiffusionLength(const dictionary& dict)
+scalar readLength(const dictionary& dict, const char* keyword, const scalar otherwise)
 {
-    const scalar length = dict.getOrDefault<scalar>("diffusionLength", 0);
+    const scalar length = dict.getOrDefault<scalar>(keyword, otherwise);
     if (length < 0)
     {
-        FatalIOErrorInFunction(dict) << "diffusionLength must not be negative, is " << length << " m" << exit(FatalIOError);
+        FatalIOErrorInFunction(dict) << keyword << " must not be negative, is " << length << " m" << exit(FatalIOError);
     }
     return length;
+}
+
+SmoothingLengths readSmoothing(const dictionary& dict)
+{
+    const SmoothingLengths none;
+    return {readLength(dict, "diffusionLength", none.length), readLength(dict, "filterWidth", none.width), readLength(dict, "smallCell", none.smallCell),
+        readLength(dict, "thinCell", none.thinCell)};
 }
 
 scalar readLargestSolidFraction(const dictionary& dict)
@@ -102,7 +109,7 @@ GrainMapping::GrainMapping(const fvMesh& mesh, const dictionary& dict, const sca
     method_(readVoidFractionMethod(dict)),
     largestSolidFraction_(readLargestSolidFraction(dict)),
     grainDimensions_(grainDimensions > 0 ? grainDimensions : mesh.nGeometricD()),
-    smoother_(mesh, readDiffusionLength(dict)),
+    smoother_(mesh, readSmoothing(dict)),
     layout_(new Layout(mesh, largestRadius, largestSolidFraction_, grainDimensions_ == 2)),
     solidFraction_(mesh.nCells(), Zero)
 {}
@@ -340,10 +347,11 @@ OwnTrace GrainMapping::ownTrace() const
     scalarField inCell = solidFraction_;
     makeAsGrainsSee({{&inCell}, {}});
     scalarField nextTo = meanNextTo(mesh, inCell);
-    const CellFields fields{{&nextTo}, {}};
+    scalarField smoothingAreas = smoother_.isOn() ? smoother_.areas() : scalarField(mesh.nOwnCells, Zero);
+    const CellFields fields{{&nextTo, &smoothingAreas}, {}};
     fields.resize(mesh.nCells());
     layout_->exchange.toHalo(fields);
-    return traceOwn(mesh, weights_, volumes_, {inCell, nextTo}, box_, smoother_.area());
+    return traceOwn(mesh, weights_, volumes_, {inCell, nextTo}, box_, smoothingAreas);
 }
 
 void GrainMapping::setFluidFraction(volScalarField& fluidFraction) const

@@ -108,7 +108,7 @@ scalarField meanNextTo(const MappingMesh& mesh, const scalarField& cells)
 OwnTrace traceOwn
 (
     const MappingMesh& mesh, const WeightMatrix& weights, const std::vector<scalar>& volumes, const SolidNearby& solid,
-    const ::nscd::PeriodicBox& box, scalar smoothingArea
+    const ::nscd::PeriodicBox& box, const scalarField& smoothingAreas
 )
 {
     const label n = weights.nRows();
@@ -116,6 +116,7 @@ OwnTrace traceOwn
     for (label i = 0; i < n; ++i)
     {
         const Row row = rowOf(weights, i);
+        const scalar smoothingArea = sampled(row, smoothingAreas);
         trace.fraction[i] = volumes[i]*ownConcentration(mesh, row, smoothingArea);
         trace.others[i] = sampled(row, solid.inCell) - trace.fraction[i];
         if (closures::loneliness(trace.others[i]) == 0) continue;

@@ -81,14 +81,15 @@ scalar meanCellSize(const fvMesh& mesh)
     return empty < 0 ? std::cbrt(volume) : std::sqrt(volume/mesh.bounds().span()[empty]);
 }
 
-/// What is smoothed, and that the case does not say so.
-void tellSmoothing(const VoidFractionSettings& settings, scalar meanDiameter, scalar cellSize, label stages)
+/// How much is smoothed, and that the case does not say so.
+void tellSmoothing(const VoidFractionSettings& settings, const DiffusionSmoother& smoother)
 {
-    const scalar length = settings.diffusionLength(meanDiameter, cellSize);
-    if (length == 0) return;
-    Info<< "voidFraction: smoothed over " << length << " m, by " << stages << " stages of diffusion";
-    if (settings.diffusion == 0) Info<< ", to filterWidth " << settings.chosenWidth(meanDiameter, cellSize);
-    if (!settings.filterWidth && settings.diffusion == 0) Info<< ", as cells are " << cellSize/meanDiameter << " mean diameters wide";
+    if (!smoother.isOn()) return;
+    Info<< "voidFraction: smoothed over " << smoother.largestLength() << " m, by " << smoother.stages() << " stages of diffusion";
+    const label cells = returnReduce(label(sum(pos(smoother.areas()))), sumOp<label>());
+    const label all = returnReduce(smoother.areas().size(), sumOp<label>());
+    if (settings.diffusion == 0) Info<< ", to a width of " << settings.chosenWidth() << " mean diameters, in " << cells << " of " << all << " cells";
+    if (settings.diffusion == 0 && !settings.filterWidth) Info<< ", which are small or thin beside grains";
     Info<< nl;
 }
 
@@ -235,12 +236,11 @@ void CoupledRun::startFluid()
     access_.showMapping(immersion_->mapping, immersion_->atHome);
     if (mayHaveGrains())
     {
-        const scalar cellSize = meanCellSize(mesh_);
-        voidFraction_ = properties_.voidFraction.forMapping(meanDiameter_, cellSize);
-        relativeCellSize_ = cellSize/meanDiameter_;
+        voidFraction_ = properties_.voidFraction.forMapping(meanDiameter_);
+        relativeCellSize_ = meanCellSize(mesh_)/meanDiameter_;
         largestDiameter_ = returnReduce(input::largestDiameter(properties_, grains), maxOp<scalar>());
         makeMapping();
-        tellSmoothing(properties_.voidFraction, meanDiameter_, cellSize, immersion_->mapping->smoother().stages());
+        tellSmoothing(properties_.voidFraction, immersion_->mapping->smoother());
     }
     GrainSources& sources = immersion_->sources;
     sources.hasGrains = feedsBack();

@@ -94,8 +94,8 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_FALSE(p.contact.accelerate);
     EXPECT_EQ(p.contact.vectorPath, "portable");
     EXPECT_EQ(p.voidFraction.method, "satellite");
-    EXPECT_EQ(p.voidFraction.forMapping(0.5, 1).get<scalar>("diffusionLength"), 1.5);
-    EXPECT_EQ(p.voidFraction.forMapping(0.5, 1).get<scalar>("minFluidFraction"), 0.3);
+    EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("diffusionLength"), 1.5);
+    EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("minFluidFraction"), 0.3);
     EXPECT_EQ(p.forces.drag.law, "DiFelice");
     EXPECT_EQ(p.forces.drag.weight, "backwardEuler");
     EXPECT_FALSE(p.forces.isOn("pressureGradient") || p.forces.isOn("viscous") || p.solvesFluid || p.hasFeedback);
@@ -124,26 +124,21 @@ TEST(GrainProperties, discsMayLeaveLessFluidInACell)
     EXPECT_EQ(least(input::Surroundings(), ""), 0.2);
 }
 
-// Cells below 1.75 d are widened to 2 d; not where a case says how much to smooth, nor where nothing is read of the solid fraction.
-TEST(GrainProperties, smallCellsAreWidenedUnlessACaseSaysHowMuch)
+// Not where a case says how much to smooth, nor where nothing is read of the solid fraction.
+TEST(GrainProperties, smallAndThinCellsAreWidenedUnlessACaseSaysHowMuch)
 {
     const scalar d = 1e-3;
-    EXPECT_EQ(read(first).voidFraction.chosenWidth(d, 1.74*d), 2);
-    EXPECT_EQ(read(first).voidFraction.diffusionLength(d, 1.75*d*(1 - 1e-9)), 0);
-    EXPECT_EQ(read(first + "voidFraction { filterWidth 0; }").voidFraction.diffusionLength(d, d), 0);
-    EXPECT_EQ(read(first + "voidFraction { diffusion 3; }").voidFraction.diffusionLength(d, d), 3*d);
-    EXPECT_EQ(read(first + "feedback off;").voidFraction.diffusionLength(d, d), 0);
-}
-
-// A cell of width h spreads as a kernel of variance h^2/12 does; smoothing adds what is missing to that of the width wanted.
-TEST(GrainProperties, smoothingMakesUpForWhatCellsLackToAWidth)
-{
-    VoidFractionSettings settings;
-    settings.filterWidth = 2;
-    const auto variance = [](scalar width) { return sqr(width)/(8*std::log(2.0)); };
-    const scalar d = 1e-3;
-    for (const scalar cell : {0.25*d, d, 2*d}) EXPECT_NEAR(variance(settings.diffusionLength(d, cell)) + sqr(cell)/12, variance(2*d), 1e-15) << cell;
-    EXPECT_EQ(settings.diffusionLength(d, 3*d), 0);
+    const auto given = [&](const std::string& more)
+    {
+        const dictionary dict = read(first + more).voidFraction.forMapping(d);
+        return scalarList{dict.getOrDefault<scalar>("filterWidth", 0)/d, dict.getOrDefault<scalar>("diffusionLength", 0)/d,
+            dict.getOrDefault<scalar>("smallCell", -d)/d, dict.getOrDefault<scalar>("thinCell", -d)/d};
+    };
+    EXPECT_EQ(given(""), (scalarList{2, 0, 1.75, 1}));
+    EXPECT_EQ(given("voidFraction { filterWidth 3; }"), (scalarList{3, 0, -1, -1}));
+    EXPECT_EQ(given("voidFraction { filterWidth 0; }"), (scalarList{0, 0, -1, -1}));
+    EXPECT_EQ(given("voidFraction { diffusion 3; }"), (scalarList{0, 3, -1, -1}));
+    EXPECT_EQ(given("feedback off;"), (scalarList{0, 0, -1, -1}));
     EXPECT_TRUE(holds(complaintAbout(first + "voidFraction { diffusion 3; filterWidth 2; }"), {"filterWidth", "diffusion", "0 for one"}));
 }
 

@@ -105,6 +105,52 @@ TEST(mappingSmoother, hasTheVarianceItPromises)
     EXPECT_NEAR(variance, sqr(length)/(8*std::log(2.0)), 1e-12);
 }
 
+// What is spread over a cell of width h has the variance h^2/12; smoothing makes up for what that lacks to a width of 4, in the direction in which
+// cells are thin alone.
+TEST(mappingSmoother, widensThinCellsAcross)
+{
+    BoxMeshSettings settings = unitCells(labelVector(61, 5, 3), {"wall", "wall", "wall", "wall", "cyclic", "cyclic"});
+    settings.max = point(30.5, 30, 18);
+    BoxMesh box(settings);
+    SmoothingLengths lengths;
+    lengths.width = 4;
+    lengths.smallCell = 1;
+    lengths.thinCell = 1;
+    const DiffusionSmoother smoother(box.mesh(), lengths);
+    scalarField peak(box.mesh().nCells(), Zero);
+    const auto isOffMiddle = [&](label cell) { return mag(box.mesh().cellCentres()[cell].y() - 15) > 0.1; };
+    forAll(peak, cell) peak[cell] = !isOffMiddle(cell) && mag(box.mesh().cellCentres()[cell].x() - 15.25) < 0.1 ? 1 : 0;
+    smoother.smooth(peak);
+    scalar variance = 0;
+    forAll(peak, cell)
+    {
+        variance += peak[cell]*sqr(box.mesh().cellCentres()[cell].x() - 15.25)/sum(peak);
+        if (isOffMiddle(cell)) EXPECT_EQ(peak[cell], 0);
+    }
+    EXPECT_NEAR(variance + sqr(0.5)/12, sqr(lengths.width)/(8*std::log(2.0)), 1e-12);
+
+    lengths.thinCell = 0.5;
+    EXPECT_FALSE(DiffusionSmoother(box.mesh(), lengths).isOn());
+}
+
+// In a mesh of small cells beside large ones, the small ones alone are widened.
+TEST(mappingSmoother, widensSmallCellsAlone)
+{
+    BoxMeshSettings settings = unitCells(labelVector(20, 5, 4), {"wall", "wall", "wall", "wall", "cyclic", "cyclic"});
+    settings.movePoint = [](const point& p) { return point(p.x() < 10 ? p.x() : 10 + 8*(p.x() - 10), p.y(), p.z()); };
+    BoxMesh box(settings);
+    SmoothingLengths lengths;
+    lengths.width = 3;
+    lengths.smallCell = 1.5;
+    const DiffusionSmoother smoother(box.mesh(), lengths);
+    const scalarField f = randomField(box.mesh().nCells(), 1);
+    scalarField smoothed = f;
+    smoother.smooth(smoothed);
+    EXPECT_NEAR(sum(box.mesh().V().field()*smoothed)/sum(box.mesh().V().field()*f), 1, 1e-14);
+    // The first of the large ones share a face with a small one.
+    forAll(f, cell) EXPECT_EQ(smoothed[cell] == f[cell], box.mesh().cellCentres()[cell].x() > 18) << cell;
+}
+
 // What the pipeline gives with each method, smoothed or not, redistributing or not.
 void expectDuality(const BoxMeshSettings& settings, const ::nscd::Grains& grains)
 {

@@ -2,11 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
 // S6: few large spheres settling among many small ones, size ratios 1:20 and 1:100, against small ones alone: overlap, and the time of
-// the neighbor search a grain and build (printed, not judged).
+// the neighbor search a grain and build (printed, not judged). `drySizes many`: ten large ones, 1:100, among 100 000.
 #include "unit/nscd/scenes/scenes.hpp"
 #include "../resources/bars.hpp"
 
 #include <cstdio>
+#include <cstring>
 #include <random>
 
 using namespace scenes;
@@ -17,8 +18,9 @@ namespace
 
 constexpr double deltaT = 2e-4, small = 5e-4;
 
-/// `few` spheres of radius `large` on the floor of a box, a shaken lattice of `many` of radius `small` around and above them.
-Scene mixture(double large, int few, int many, double width)
+/// `few` spheres of radius `large` on the floor of a box, a shaken lattice of `many` of radius `small` around and above them, over the whole floor
+/// or a corner of it that is `corner` wide.
+Scene mixture(double large, int few, int many, double width, double corner = 0.0)
 {
     Scene scene(3, 0.3, 0.0);
     std::vector<Vec3> centers;
@@ -32,7 +34,7 @@ Scene mixture(double large, int few, int many, double width)
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1, 1);
     const double spacing = 2.3*small;
-    const int perRow = static_cast<int>(width/spacing);
+    const int perRow = static_cast<int>((corner > 0.0 ? corner : width)/spacing);
     for (int k = 0; static_cast<int>(scene.grains.size()) < few + many; ++k)
     {
         const Vec3 place(k % perRow + 0.5, k/perRow % perRow + 0.5, k/(perRow*perRow) + 0.5);
@@ -72,9 +74,15 @@ void settle(const char* name, const Scene& scene, int steps)
 
 } // namespace
 
-int main()
+int main(int argc, char** argv)
 {
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+    if (argc == 2 && std::strcmp(argv[1], "many") == 0)
+    {
+        settle("equal", mixture(small, 0, 100000, 0.41, 0.2), 300);
+        settle("1:100, ten large", mixture(100*small, 10, 100000, 0.41, 0.2), 300);
+        return bars::status();
+    }
     settle("equal", mixture(small, 0, 20000, 0.035), 150);
     settle("1:20, one large", mixture(20*small, 1, 20000, 0.035), 150);
     settle("1:100, one large", mixture(100*small, 1, 20000, 0.12), 150);

@@ -113,6 +113,7 @@ class WrittenCase(CaseFolder):
     def write(self, path, body, foamClass="dictionary"):
         name = os.path.basename(path)
         head = "FoamFile { version 2.0; format ascii; class %s; object %s; }\n" % (foamClass, name)
+        os.makedirs(os.path.dirname(os.path.join(self.folder, path)), exist_ok=True)
         with open(os.path.join(self.folder, path), "w") as file:
             file.write(head + body + "\n")
 

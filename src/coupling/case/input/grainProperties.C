@@ -208,31 +208,18 @@ std::unique_ptr<IOdictionary> readWithoutTraps(const IOobject& io)
 } // namespace
 
 
-scalar VoidFractionSettings::chosenWidth(scalar meanDiameter, scalar cellSize) const
+dictionary VoidFractionSettings::forMapping(scalar meanDiameter) const
 {
-    constexpr scalar small = 1.75, width = 2;
-    if (filterWidth) return *filterWidth;
-    // Cells of just that size are not small on any number of ranks, which sum their volumes in other orders.
-    constexpr scalar roundOff = 1e-6;
-    return diffusion == 0 && cellSize < (1 - roundOff)*small*meanDiameter ? width : 0;
-}
-
-
-scalar VoidFractionSettings::diffusionLength(scalar meanDiameter, scalar cellSize) const
-{
-    const scalar width = chosenWidth(meanDiameter, cellSize);
-    if (width == 0) return diffusion*meanDiameter;
-    const scalar ofCells = 8*std::log(2.0)/12*sqr(cellSize);
-    return std::sqrt(max(scalar(0), sqr(width*meanDiameter) - ofCells));
-}
-
-
-dictionary VoidFractionSettings::forMapping(scalar meanDiameter, scalar cellSize) const
-{
+    constexpr scalar small = 1.75, thin = 1;
     dictionary dict("voidFraction");
     dict.add("method", word(method));
-    dict.add("diffusionLength", diffusionLength(meanDiameter, cellSize));
     dict.add("minFluidFraction", minFluidFraction);
+    dict.add("diffusionLength", diffusion*meanDiameter);
+    if (diffusion > 0) return dict;
+    dict.add("filterWidth", chosenWidth()*meanDiameter);
+    if (filterWidth) return dict;
+    dict.add("smallCell", small*meanDiameter);
+    dict.add("thinCell", thin*meanDiameter);
     return dict;
 }
 
