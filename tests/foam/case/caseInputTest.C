@@ -134,7 +134,7 @@ TEST(GrainProperties, smallAndThinCellsAreWidenedUnlessACaseSaysHowMuch)
         return scalarList{dict.getOrDefault<scalar>("filterWidth", 0)/d, dict.getOrDefault<scalar>("diffusionLength", 0)/d,
             dict.getOrDefault<scalar>("smallCell", -d)/d, dict.getOrDefault<scalar>("thinCell", -d)/d};
     };
-    EXPECT_EQ(given(""), (scalarList{2, 0, 1.75, 1}));
+    EXPECT_EQ(given(""), (scalarList{2, 0, 1.75, 0.5}));
     EXPECT_EQ(given("voidFraction { filterWidth 3; }"), (scalarList{3, 0, -1, -1}));
     EXPECT_EQ(given("voidFraction { filterWidth 0; }"), (scalarList{0, 0, -1, -1}));
     EXPECT_EQ(given("voidFraction { diffusion 3; }"), (scalarList{0, 3, -1, -1}));

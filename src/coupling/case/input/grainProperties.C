@@ -210,7 +210,7 @@ std::unique_ptr<IOdictionary> readWithoutTraps(const IOobject& io)
 
 dictionary VoidFractionSettings::forMapping(scalar meanDiameter) const
 {
-    constexpr scalar small = 1.75, thin = 1;
+    constexpr scalar small = 1.75, thin = 0.5;
     dictionary dict("voidFraction");
     dict.add("method", word(method));
     dict.add("minFluidFraction", minFluidFraction);
