@@ -66,9 +66,9 @@ DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const SmoothingLengths&
 {
     if (lengths.length == 0 && lengths.width == 0) return;
     const surfaceScalarField areas(areasOfFaces(lengths));
-    largestLength_ = std::sqrt(gMax(areas.primitiveField())*16*std::log(2.0));
-    if (largestLength_ == 0) return;
     setAreas(areas);
+    largestLength_ = std::sqrt(gMax(areas_)*16*std::log(2.0));
+    if (largestLength_ == 0) return;
     setConductances(areas);
     stages_ = leastStages(largestRate());
     listReached(boolList(mesh.nCells(), true));

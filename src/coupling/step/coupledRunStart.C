@@ -236,8 +236,9 @@ void CoupledRun::startFluid()
     access_.showMapping(immersion_->mapping, immersion_->atHome);
     if (mayHaveGrains())
     {
-        voidFraction_ = properties_.voidFraction.forMapping(meanDiameter_);
-        relativeCellSize_ = meanCellSize(mesh_)/meanDiameter_;
+        const scalar cellSize = meanCellSize(mesh_);
+        voidFraction_ = properties_.voidFraction.forMapping(meanDiameter_, cellSize);
+        relativeCellSize_ = cellSize/meanDiameter_;
         largestDiameter_ = returnReduce(input::largestDiameter(properties_, grains), maxOp<scalar>());
         makeMapping();
         tellSmoothing(properties_.voidFraction, immersion_->mapping->smoother());

@@ -94,8 +94,8 @@ TEST(GrainProperties, everyValueArrivesWhereItBelongs)
     EXPECT_FALSE(p.contact.accelerate);
     EXPECT_EQ(p.contact.vectorPath, "portable");
     EXPECT_EQ(p.voidFraction.method, "satellite");
-    EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("diffusionLength"), 1.5);
-    EXPECT_EQ(p.voidFraction.forMapping(0.5).get<scalar>("minFluidFraction"), 0.3);
+    EXPECT_EQ(p.voidFraction.forMapping(0.5, 1).get<scalar>("diffusionLength"), 1.5);
+    EXPECT_EQ(p.voidFraction.forMapping(0.5, 1).get<scalar>("minFluidFraction"), 0.3);
     EXPECT_EQ(p.forces.drag.law, "DiFelice");
     EXPECT_EQ(p.forces.drag.weight, "backwardEuler");
     EXPECT_FALSE(p.forces.isOn("pressureGradient") || p.forces.isOn("viscous") || p.solvesFluid || p.hasFeedback);
@@ -128,13 +128,15 @@ TEST(GrainProperties, discsMayLeaveLessFluidInACell)
 TEST(GrainProperties, smallAndThinCellsAreWidenedUnlessACaseSaysHowMuch)
 {
     const scalar d = 1e-3;
-    const auto given = [&](const std::string& more)
+    const auto given = [&](const std::string& more, scalar cellSize = 3)
     {
-        const dictionary dict = read(first + more).voidFraction.forMapping(d);
+        const dictionary dict = read(first + more).voidFraction.forMapping(d, cellSize*d);
         return scalarList{dict.getOrDefault<scalar>("filterWidth", 0)/d, dict.getOrDefault<scalar>("diffusionLength", 0)/d,
             dict.getOrDefault<scalar>("smallCell", -d)/d, dict.getOrDefault<scalar>("thinCell", -d)/d};
     };
-    EXPECT_EQ(given(""), (scalarList{2, 0, 1.75, 0.5}));
+    EXPECT_EQ(given(""), (scalarList{2, 0, 0, 0.5}));
+    EXPECT_EQ(given("", 1.75*(1 - 1e-9)), (scalarList{2, 0, 0, 0.5}));
+    EXPECT_EQ(given("", 1.74), (scalarList{2, 0, -1, -1}));
     EXPECT_EQ(given("voidFraction { filterWidth 3; }"), (scalarList{3, 0, -1, -1}));
     EXPECT_EQ(given("voidFraction { filterWidth 0; }"), (scalarList{0, 0, -1, -1}));
     EXPECT_EQ(given("voidFraction { diffusion 3; }"), (scalarList{0, 3, -1, -1}));

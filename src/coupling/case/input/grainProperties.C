@@ -208,17 +208,18 @@ std::unique_ptr<IOdictionary> readWithoutTraps(const IOobject& io)
 } // namespace
 
 
-dictionary VoidFractionSettings::forMapping(scalar meanDiameter) const
+dictionary VoidFractionSettings::forMapping(scalar meanDiameter, scalar cellSize) const
 {
-    constexpr scalar small = 1.75, thin = 0.5;
+    // Cells of just that size are not small on any number of ranks, which sum their volumes in other orders.
+    constexpr scalar small = 1.75, thin = 0.5, roundOff = 1e-6;
     dictionary dict("voidFraction");
     dict.add("method", word(method));
     dict.add("minFluidFraction", minFluidFraction);
     dict.add("diffusionLength", diffusion*meanDiameter);
     if (diffusion > 0) return dict;
     dict.add("filterWidth", chosenWidth()*meanDiameter);
-    if (filterWidth) return dict;
-    dict.add("smallCell", small*meanDiameter);
+    if (filterWidth || cellSize < (1 - roundOff)*small*meanDiameter) return dict;
+    dict.add("smallCell", scalar(0));
     dict.add("thinCell", thin*meanDiameter);
     return dict;
 }
