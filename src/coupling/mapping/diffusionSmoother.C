@@ -7,7 +7,6 @@
 #include "coupling/mapping/mesh/cellShape.H"
 
 #include "cyclicAMIFvPatch.H"
-#include "linear.H"
 #include "syncTools.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -52,11 +51,11 @@ label leastStages(const scalar largestRate)
 
 } // namespace
 
-scalar SmoothingLengths::between(const scalar edge, const scalar across) const
+scalar SmoothingLengths::between(const scalar across) const
 {
-    // Cells of just that size are not small on any number of ranks, which sum their volumes in other orders.
+    // Cells of just that width are not thin, whatever round-off makes of it.
     constexpr scalar roundOff = 1e-6;
-    if (width == 0 || (edge >= (1 - roundOff)*smallCell && across >= (1 - roundOff)*thinCell)) return length;
+    if (width == 0 || across >= (1 - roundOff)*thinCell) return length;
     return std::sqrt(max(scalar(0), sqr(width) - 8*std::log(2.0)/12*sqr(across)));
 }
 
@@ -77,15 +76,14 @@ DiffusionSmoother::DiffusionSmoother(const fvMesh& mesh, const SmoothingLengths&
 // D T of each face; of one between ranks or cyclic ones from both of its cells.
 surfaceScalarField DiffusionSmoother::areasOfFaces(const SmoothingLengths& lengths) const
 {
-    const surfaceScalarField edges(linearInterpolate(cellEdges(mesh_)));
     const surfaceScalarField across(acrossCells(mesh_));
-    surfaceScalarField areas("smoothingArea", edges*edges);
-    const auto set = [&](scalarField& of, const scalarField& edge, const scalarField& width)
+    surfaceScalarField areas("smoothingArea", sqr(across));
+    const auto set = [&](scalarField& of, const scalarField& width)
     {
-        forAll(of, k) of[k] = sqr(lengths.between(edge[k], width[k]))/(16*std::log(2.0));
+        forAll(of, k) of[k] = sqr(lengths.between(width[k]))/(16*std::log(2.0));
     };
-    set(areas.primitiveFieldRef(), edges.primitiveField(), across.primitiveField());
-    forAll(areas.boundaryField(), patchI) set(areas.boundaryFieldRef()[patchI], edges.boundaryField()[patchI], across.boundaryField()[patchI]);
+    set(areas.primitiveFieldRef(), across.primitiveField());
+    forAll(areas.boundaryField(), patchI) set(areas.boundaryFieldRef()[patchI], across.boundaryField()[patchI]);
     return areas;
 }
 

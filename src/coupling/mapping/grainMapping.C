@@ -28,8 +28,7 @@ scalar readLength(const dictionary& dict, const char* keyword, const scalar othe
 SmoothingLengths readSmoothing(const dictionary& dict)
 {
     const SmoothingLengths none;
-    return {readLength(dict, "diffusionLength", none.length), readLength(dict, "filterWidth", none.width), readLength(dict, "smallCell", none.smallCell),
-        readLength(dict, "thinCell", none.thinCell)};
+    return {readLength(dict, "diffusionLength", none.length), readLength(dict, "filterWidth", none.width), readLength(dict, "thinCell", none.thinCell)};
 }
 
 scalar readLargestSolidFraction(const dictionary& dict)

@@ -132,15 +132,15 @@ TEST(GrainProperties, smallAndThinCellsAreWidenedUnlessACaseSaysHowMuch)
     {
         const dictionary dict = read(first + more).voidFraction.forMapping(d, cellSize*d);
         return scalarList{dict.getOrDefault<scalar>("filterWidth", 0)/d, dict.getOrDefault<scalar>("diffusionLength", 0)/d,
-            dict.getOrDefault<scalar>("smallCell", -d)/d, dict.getOrDefault<scalar>("thinCell", -d)/d};
+            dict.getOrDefault<scalar>("thinCell", -d)/d};
     };
-    EXPECT_EQ(given(""), (scalarList{2, 0, 0, 0.5}));
-    EXPECT_EQ(given("", 1.75*(1 - 1e-9)), (scalarList{2, 0, 0, 0.5}));
-    EXPECT_EQ(given("", 1.74), (scalarList{2, 0, -1, -1}));
-    EXPECT_EQ(given("voidFraction { filterWidth 3; }"), (scalarList{3, 0, -1, -1}));
-    EXPECT_EQ(given("voidFraction { filterWidth 0; }"), (scalarList{0, 0, -1, -1}));
-    EXPECT_EQ(given("voidFraction { diffusion 3; }"), (scalarList{0, 3, -1, -1}));
-    EXPECT_EQ(given("feedback off;"), (scalarList{0, 0, -1, -1}));
+    EXPECT_EQ(given(""), (scalarList{2, 0, 0.5}));
+    EXPECT_EQ(given("", 1.75*(1 - 1e-9)), (scalarList{2, 0, 0.5}));
+    EXPECT_EQ(given("", 1.74), (scalarList{2, 0, -1}));
+    EXPECT_EQ(given("voidFraction { filterWidth 3; }"), (scalarList{3, 0, -1}));
+    EXPECT_EQ(given("voidFraction { filterWidth 0; }"), (scalarList{0, 0, -1}));
+    EXPECT_EQ(given("voidFraction { diffusion 3; }"), (scalarList{0, 3, -1}));
+    EXPECT_EQ(given("feedback off;"), (scalarList{0, 0, -1}));
     EXPECT_TRUE(holds(complaintAbout(first + "voidFraction { diffusion 3; filterWidth 2; }"), {"filterWidth", "diffusion", "0 for one"}));
 }
 

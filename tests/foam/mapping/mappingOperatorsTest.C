@@ -114,7 +114,6 @@ TEST(mappingSmoother, widensThinCellsAcross)
     BoxMesh box(settings);
     SmoothingLengths lengths;
     lengths.width = 4;
-    lengths.smallCell = 1;
     lengths.thinCell = 1;
     const DiffusionSmoother smoother(box.mesh(), lengths);
     scalarField peak(box.mesh().nCells(), Zero);
@@ -133,21 +132,20 @@ TEST(mappingSmoother, widensThinCellsAcross)
     EXPECT_FALSE(DiffusionSmoother(box.mesh(), lengths).isOn());
 }
 
-// In a mesh of small cells beside large ones, the small ones alone are widened.
-TEST(mappingSmoother, widensSmallCellsAlone)
+// In a mesh of cells 1 and 8 wide the former alone lack something to a width of 3.
+TEST(mappingSmoother, widensNoWideCells)
 {
-    BoxMeshSettings settings = unitCells(labelVector(20, 5, 4), {"wall", "wall", "wall", "wall", "cyclic", "cyclic"});
-    settings.movePoint = [](const point& p) { return point(p.x() < 10 ? p.x() : 10 + 8*(p.x() - 10), p.y(), p.z()); };
+    BoxMeshSettings settings = unitCells(labelVector(20, 1, 1), {"wall", "wall", "wall", "wall", "cyclic", "cyclic"});
+    settings.movePoint = [](const point& p) { return point(p.x() < 10 ? p.x() : 10 + 8*(p.x() - 10), 8*p.y(), 8*p.z()); };
     BoxMesh box(settings);
     SmoothingLengths lengths;
     lengths.width = 3;
-    lengths.smallCell = 1.5;
     const DiffusionSmoother smoother(box.mesh(), lengths);
     const scalarField f = randomField(box.mesh().nCells(), 1);
     scalarField smoothed = f;
     smoother.smooth(smoothed);
     EXPECT_NEAR(sum(box.mesh().V().field()*smoothed)/sum(box.mesh().V().field()*f), 1, 1e-14);
-    // The first of the large ones share a face with a small one.
+    // The first of the large ones shares a face with a small one.
     forAll(f, cell) EXPECT_EQ(smoothed[cell] == f[cell], box.mesh().cellCentres()[cell].x() > 18) << cell;
 }
 

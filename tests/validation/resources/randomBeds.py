@@ -30,16 +30,19 @@ def solidFraction(centers, side, low, high, slices=2000):
 
 
 class HeldBed:
-    """Where a bed is: width and height of the bed, and free height below and above it [d]; diameter [m]."""
+    """Where a bed is: width and height of the bed, and free height below and above it [d]; diameter [m]; width of its cells [d], where they are no cubes."""
 
-    def __init__(self, centers, side, height, free, d):
-        self.centers, self.side, self.height, self.free, self.d = centers, side, height, free, d
+    def __init__(self, centers, side, height, free, d, across=None):
+        self.centers, self.side, self.height, self.free, self.d, self.across = centers, side, height, free, d, across
+
+    def perSide(self, cell):
+        return round(self.side/(self.across or cell))
 
     def box(self, folder, cell):
-        """A mesh of cells of that many diameters, open below and above."""
+        """A mesh of cells that many diameters high, open below and above."""
         layers = round((self.height + 2*self.free)/cell)
         return BoxCase(folder, (0, 0, -self.free*self.d), (self.side*self.d, self.side*self.d, (self.height + self.free)*self.d),
-                       (round(self.side/cell),)*2 + (layers,), {"zMin": "patch", "zMax": "patch"})
+                       (self.perSide(cell),)*2 + (layers,), {"zMin": "patch", "zMax": "patch"})
 
     def case(self, folder, cell, U, rho, mu, settings):
         """A case of nscdDEMFoam with the grains held, drag by Ergun's law, and more settings; without a time step."""
@@ -54,7 +57,7 @@ class HeldBed:
 
     def gradient(self, pressure, cell, low, high):
         """Of the pressure in cells, between two heights [d], linear between layers [Pa/m]."""
-        perLayer = round(self.side/cell)**2
+        perLayer = self.perSide(cell)**2
         layer = [sum(pressure[k:k + perLayer])/perLayer for k in range(0, len(pressure), perLayer)]
 
         def at(z):

@@ -218,9 +218,7 @@ dictionary VoidFractionSettings::forMapping(scalar meanDiameter, scalar cellSize
     dict.add("diffusionLength", diffusion*meanDiameter);
     if (diffusion > 0) return dict;
     dict.add("filterWidth", chosenWidth()*meanDiameter);
-    if (filterWidth || cellSize < (1 - roundOff)*small*meanDiameter) return dict;
-    dict.add("smallCell", scalar(0));
-    dict.add("thinCell", thin*meanDiameter);
+    if (!filterWidth && cellSize >= (1 - roundOff)*small*meanDiameter) dict.add("thinCell", thin*meanDiameter);
     return dict;
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The nscdDEMFoam authors
 //
-// How large cells are, and how wide in which direction.
+// How wide cells are in which direction.
 #include "coupling/mapping/mesh/cellShape.H"
 
 #include "extrapolatedCalculatedFvPatchFields.H"
 #include "linear.H"
-
-#include <cmath>
+#include "volFields.H"
 
 namespace Foam
 {
@@ -51,17 +50,6 @@ volSymmTensorField cellVariances(const fvMesh& mesh)
 }
 
 } // namespace
-
-volScalarField cellEdges(const fvMesh& mesh)
-{
-    volScalarField edges(IOobject("cellEdge", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false), mesh,
-        dimensionedScalar(dimLength, Zero), extrapolatedCalculatedFvPatchScalarField::typeName);
-    scalar depth = 1;
-    for (direction k = 0; k < 3; ++k) depth *= mesh.geometricD()[k] < 0 ? mesh.bounds().span()[k] : 1;
-    forAll(edges, cellI) edges[cellI] = std::pow(mesh.V()[cellI]/depth, 1.0/mesh.nGeometricD());
-    edges.correctBoundaryConditions();
-    return edges;
-}
 
 surfaceScalarField acrossCells(const fvMesh& mesh)
 {
